@@ -7,7 +7,7 @@ struct CameraRay {
     status: u32,
 }
 
-// Returns the status of a ray, MISSED if it never enters the bounding sphere.
+// Returns MISSED if an active ray never enters the bounding sphere, else its status.
 fn entering(status: u32, missed: bool) -> u32 {
     return select(status, MISSED, status == ALIVE && missed);
 }

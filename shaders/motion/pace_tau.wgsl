@@ -1,11 +1,11 @@
-// Steps are measured in τ itself, which may be the path's length.
+// Measures steps in τ itself, which may be the path length.
 
 // Returns the size of the step from `ray` to `next`, in the parameter that `retaken_step` takes.
 fn own_size(ray: Ray, next: Ray) -> Real {
     return next.taken;
 }
 
-// τ in that measure, along the line from p.
+// Returns τ in that parameter, along the line from p.
 fn own_measure(p: Phase, tau: Real) -> Real {
     if BY_LENGTH {
         return tau * length(p[1].xyz);

@@ -1,18 +1,18 @@
-// Curves in closed form, as a tree of boxes (G95 §3.2, after Ballard's strip trees): a ray passes in one step over all of its curve that
-// is near nothing, and only what is near something becomes an arc that is tested.
+// Curves in closed form, as a tree of boxes (G95 §3.2, after Ballard's strip trees): a ray passes in one step over the part of its curve
+// that is near no object, and only the rest becomes arcs that are tested.
 //
-// Where a ray starts only moves its curve, so that one tree serves all rays of a picture (G95: "ray coherence"). The host builds it, and
-// its boxes hold the whole of their pieces, by interval arithmetic. It is walked together with the hierarchy of the scene's objects:
-// both trees from the root down, the ray's from its beginning on ("bvh/hier", G95 §4.3).
+// The start of a ray only shifts its curve, so that one tree serves all rays of an image (G95: "ray coherence"). The host builds it, and
+// its boxes contain their pieces entirely, by interval arithmetic. It is traversed together with the hierarchy of the scene's objects: both
+// trees from the root down, and the ray's tree from its beginning on ("bvh/hier", G95 §4.3).
 
-// Pieces lie one behind the other, so that where a node begins is known from the one before; and one whose next is the next in the list
-// is a leaf.
+// Pieces are contiguous, so that the beginning of a node is the end of the one before. A node whose `skip` is the next node in the list is
+// a leaf.
 struct RayNode {
     lo: vec3f,
     // The node after this one's subtree.
     skip: u32,
     hi: vec3f,
-    // tau at the piece's end.
+    // The tau at the end of the piece.
     end: f32,
 }
 
@@ -28,15 +28,15 @@ struct ObjectNode {
 
 var<storage, read> object_nodes: array<ObjectNode>;
 
-// Nodes of objects that a box is held against: one that has not been cleared by then counts as near.
+// The number of object nodes that a box is compared with: a box that has not been cleared by then counts as near.
 const VISITS: u32 = 48u;
-// Nodes of the ray in one step. A tree is at most `DEPTH` deep, and on the way down no level has more than two of them.
+// The number of ray nodes in one step. A tree is at most `DEPTH` deep, and on the way down no level has more than two of them.
 const NODES: u32 = 64u;
 const DEPTH: u32 = 14u;
 const CLEAR: u32 = 0xffffffffu;
 
-// The first node of objects from `first` on that a box is about, or where the walk stopped; `first` if the box is not all in the bounding
-// sphere, where paths end; CLEAR if there is none.
+// Returns the first object node from `first` on that a box overlaps, or the node where the walk stopped; `first` if the box is not entirely
+// inside the bounding sphere, where paths end; CLEAR if there is none.
 fn box_near(lo: vec3f, hi: vec3f, first: u32) -> u32 {
     let far = max(abs(lo - vec3f(bound.center)), abs(hi - vec3f(bound.center)));
     let count = arrayLength(&object_nodes);
@@ -52,25 +52,25 @@ fn box_near(lo: vec3f, hi: vec3f, first: u32) -> u32 {
 }
 
 struct Piece {
-    // In tau.
+    // The size, in tau.
     size: Real,
-    // Is nothing near it?
+    // True if no object is near it.
     free: bool,
 }
 
-// The next piece of the curve: all up to the first leaf that is near something, or that leaf.
+// Returns the next piece of the curve: everything up to the first leaf that is near an object, or that leaf.
 fn next_piece(p: Phase) -> Piece {
     let tau = f32(p[1].w);
     let anchor = vec3f(p[0].xyz - ray_curve(p[1].w)[0]);
     let slack = 2e-6 * abs(anchor);
-    // Ends that rounding moves.
+    // The distance by which rounding may move the ends.
     let unit = 1e-6 * f32(limit.length);
     let count = arrayLength(&ray_nodes);
     var reached = tau;
     var end = f32(limit.length);
     var node = 0u;
     var begin = 0.0;
-    // What a piece is near, its parts are not near anything before; up to this node they are its parts.
+    // Parts of a piece can only be near objects that the piece is near; up to this node they are its parts.
     var first = 0u;
     var parts_end = 0u;
     for (var k = 0u; k < NODES && node < count; k++) {
@@ -108,7 +108,7 @@ fn accepted_step(ray: Ray) -> Ray {
     let piece = next_piece(ray.phase);
     var h = limited_step(piece.size, ray);
     var end = retaken_step(ray.phase, h);
-    // A closed curve may lead back to where it began: the ray stands still only if it does so everywhere.
+    // A closed curve may return to its start: the ray stands still only if all of its points agree.
     if all(end[0].xyz == ray.phase[0].xyz) {
         h *= 0.618;
         end = retaken_step(ray.phase, h);

@@ -1,22 +1,22 @@
-// Separated orbits with nothing to hit, in a bounding sphere about the hole: a segment is a whole path, or STEPS of its steps. The step
-// that would leave, or be captured, is tried again until it ends where the path does, by Newton's method; so that none has to be taken
-// again to find the place. Every iteration does the same work: what some rays skip, others do beside them.
+// Separated orbits with nothing to hit, in a bounding sphere around the black hole: a segment is a whole path, or STEPS of its steps. The
+// step that would leave or be captured is corrected by the Newton method until it ends where the path does, so that no step has to be
+// repeated to find the position. Every iteration does equal work: lanes that need a part of it and lanes that do not run together.
 
 const STEPS: u32 = 256u;
 const CUTS: u32 = 3u;
 
-// The u at which an orbit that is on its way in, or out, ends: just beyond it.
+// Returns the u at which an inbound or outbound orbit ends: slightly beyond it.
 fn orbit_stop(o: Orbit) -> Real {
     let captured = (1.0 + 16.0 * LAST_PART) / captured_within();
-    // r² + a² sin²θ is the distance from the hole, squared.
+    // r² + a² sin²θ is the squared distance from the black hole.
     let across = dot(law.spin, law.spin) * dot(o.n.xy, o.n.xy);
     let left = (1.0 - 16.0 * LAST_PART) * inverseSqrt(bound.radius * bound.radius - across);
-    // As far as steps leave n a unit vector.
+    // Accurate as far as steps keep n a unit vector.
     let inwards = select(captured, Real(1e30), orbit_turns(o));
     return select(left, inwards, o.w > 0.0) * length(o.n);
 }
 
-// No last step is taken again to another end: τ is size enough.
+// The last step is never retaken to another end, so that τ can serve as its size.
 fn own_size(ray: Ray, next: Ray) -> Real {
     return next.taken;
 }
@@ -33,7 +33,7 @@ fn accepted_step(ray: Ray) -> Ray {
         let stop = orbit_stop(end);
         let beyond = (end.u - stop) * end.w > 0.0;
         let taken = orbit_time(here, end, s);
-        // What turns inwards within the sphere that captures is there at once.
+        // A ray that turns inwards inside the capture sphere is captured at once.
         let crosses = (cuts > 0u) | ((here.u - stop) * end.w < 0.0);
         cuts += select(0u, select(CUTS + 1u, 1u, crosses), beyond | (cuts > 0u));
         if (cuts == 0u) | (cuts > CUTS) {

@@ -1,10 +1,10 @@
-// Logarithmic spirals: rays in n = k/r (thesis §5.2.2.2). With ψ the angle between the ray and the circle about the centre, which
-// stays the same all along, and dσ = ds/r,
+// Logarithmic spirals: rays in n = k/r (thesis §5.2.2.2). With ψ the angle between the ray and the circle around the center, which is
+// constant, and dσ = ds/r,
 //
 //     r = r₀ e^(σ sin ψ),    θ = σ cos ψ,
 //
-// which holds for circles (ψ = 0) and for radial rays (ψ = ±90°) alike, where the thesis' r(θ) does not. Steps are measured in σ;
-// a tightly wound ray goes round any number of times in one.
+// which holds for circles (ψ = 0) and for radial rays (ψ = ±90°) too, unlike the r(θ) of the thesis. Steps are measured in σ; a tightly
+// wound ray makes any number of turns in one step.
 
 struct Spiral {
     r: Real,
@@ -29,9 +29,9 @@ fn spiral_of(p: Phase) -> Spiral {
 }
 
 struct Stride {
-    // In σ.
+    // The size, in σ.
     size: Real,
-    // Is there nothing to meet on the way?
+    // True if there is no object to hit on the way.
     free: bool,
 }
 
@@ -52,7 +52,7 @@ fn retaken_step(p: Phase, sigma: Real) -> Phase {
     return Phase(media[place].center + r * n, (media[place].k / r) * (s.climb * n + s.swing * t));
 }
 
-// τ over σ: ∫ r²/k dσ, with (e^z − 1)/z by its series where the difference loses digits.
+// Returns τ for σ: ∫ r²/k dσ, with (e^z − 1)/z by its series where the difference loses digits.
 fn spiral_tau(p: Phase, sigma: Real) -> Real {
     let s = spiral_of(p);
     let z = 2.0 * s.climb * sigma;

@@ -1,30 +1,30 @@
-// Among other objects: a spiral can meet one at any of its turns, of which there is no limit. But only where it is as far from
-// the centre as the object, and on the object's side of the centre; up to there nothing needs to be looked at, however many
-// turns that takes. Each object stands for a ball around it, and the ray's plane cuts a disk of radius ρ from that, at a
-// distance D from the centre and an angle φ onward from the ray. Within the disk's ring (D − ρ to D + ρ) and its window
-// (φ ± arcsin ρ/D) the ray goes in arcs, which are tested as any others are.
+// Chooses steps of a spiral among objects, which it can meet at any of its unlimited number of turns. It meets an object only at the
+// object's distance from the center and on the object's side of it; up to there nothing needs a test, however many turns that takes. Each
+// object is represented by a bounding sphere, from which the plane of the ray cuts a disk of radius ρ, at a distance D from the center and
+// an angle φ ahead of the ray. Within the ring (D − ρ to D + ρ) and the window (φ ± arcsin ρ/D) of the disk the ray moves in arcs, which
+// are tested like any others.
 
 struct Obstacle {
     center: Real3,
     radius: Real,
-    // Which medium it is in.
+    // The index of the medium that contains it.
     place: u32,
 }
 
 var<uniform> obstacles: array<Obstacle, OBSTACLE_COUNT>;
 
-// Radians, about: what a cubic arc follows to some 1e-5 of its distance from the centre.
+// The turn of an arc in radians, approximately: a cubic arc follows it to about 1e-5 of its distance from the center.
 const ARC: Real = 0.25;
-// By what rings and windows are widened against rounding.
+// The margin of rings and windows against rounding.
 const WIDER: Real = 1e-4;
 const NEVER: Real = 1e30;
 
-// σ until the distance from the centre is r; 0 where it is that already.
+// Returns σ until the distance from the center is r; 0 if it is r already.
 fn climb_to(s: Spiral, r: Real) -> Real {
     return log_ratio(r, s.r) / s.climb;
 }
 
-// σ until the ray may meet what is in a ball.
+// Returns σ until the ray may hit an object in a sphere.
 fn way_to(s: Spiral, ball: Obstacle) -> Real {
     let d = ball.center - media[place].center;
     let x = dot(d, s.n);
@@ -42,7 +42,7 @@ fn way_to(s: Spiral, ball: Obstacle) -> Real {
     let before = select(above, below, rises) && s.climb != 0.0;
     let ring = select(0.0, climb_to(s, select(high, low, rises)), before);
     let window = select(PI, arc_tangent(disk, sqrt(max(away * away - disk * disk, 0.0))) + 0.01, away > disk);
-    // From the window's beginning, against the turn: within it, or so far still to go.
+    // The angle past the start of the window, against the turn: inside the window, or still to go.
     let past = next_turn(s.swing * ring - arc_tangent(y, x) + window, false);
     let ahead = (2.0 * PI - past) / max(s.swing, 1e-30);
     let way = select(ring + ahead, ring, past <= 2.0 * window);
@@ -58,7 +58,7 @@ fn spiral_stride(p: Phase) -> Stride {
         return Stride(ARC, false);
     }
     let s = spiral_of(p);
-    // To the sphere about the centre that holds no surface of the object itself, or into the middle.
+    // To the sphere around the center that contains no surface of the object itself, or into the center.
     let rise = climb_to(s, here().radius);
     let fall = climb_to(s, 0.5 * media[place].capture);
     var way = select(select(fall, rise, s.climb > 0.0), NEVER, s.climb == 0.0);
@@ -70,8 +70,8 @@ fn spiral_stride(p: Phase) -> Stride {
     return Stride(select(ARC, way, free), free);
 }
 
-// One step to the sphere about the centre that the object is, or into the middle where the ray is captured: ln(R/r)/sin ψ, with no
-// trigonometry at all. An exact circle goes nowhere.
+// Returns one step to the surface of the sphere around the center, or to the radius at which the ray is captured: ln(R/r)/sin ψ, without
+// trigonometry. A ray on an exact circle does not move.
 fn leap_stride(s: Spiral) -> Stride {
     let rise = log_ratio(here().radius, s.r);
     let fall = log_ratio(s.r, 0.5 * media[place].capture);

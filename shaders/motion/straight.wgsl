@@ -1,4 +1,4 @@
-// Straight lines need no solver: one step to just outside the bounding sphere.
+// Straight lines need no solver: one step leads to just outside the bounding sphere.
 
 fn retaken_step(p: Phase, h: Real) -> Phase {
     return Phase(p[0] + h * p[1], p[1]);

@@ -1,5 +1,4 @@
-// τ along an orbit, where something asks for it, by Gauss's rule of three points on the cubics through both ends: of a plane one
-// dτ = ds/u².
+// Computes τ along an orbit, if it is needed, by the three-point Gauss rule on the cubics through both ends: on a plane orbit dτ = ds/u².
 
 fn orbit_time(o: Orbit, end: Orbit, s: Real) -> Real {
     if !ASKS_TAU {
@@ -10,7 +9,7 @@ fn orbit_time(o: Orbit, end: Orbit, s: Real) -> Real {
     return s * (middle + 5.0 / 18.0 * sides);
 }
 
-// dτ/ds at a fraction of the step.
+// Returns dτ/ds at a fraction of the step.
 fn pace_at(o: Orbit, end: Orbit, s: Real, f: Real) -> Real {
     if IS_PLANE {
         let c = end.u - o.u;
@@ -24,7 +23,7 @@ fn pace_at(o: Orbit, end: Orbit, s: Real, f: Real) -> Real {
     return orbit_pace(o, u.x, height.x, orbit_gap(o, u.x, w));
 }
 
-// A cubic and its slope, from its values and slopes at 0 and 1.
+// Returns a cubic and its slope, from its values and slopes at 0 and 1.
 fn cubic_at(a: Real, slope: Real, b: Real, end_slope: Real, f: Real) -> Real2 {
     let c = b - a;
     let g = 1.0 - f;

@@ -1,5 +1,5 @@
-// K segments with all their stages in one pass (`fused`): integrate, intersect, terminate, scatter, through the state's slots
-// only between passes. A pass ends at a segment's boundary, before the device's limit of loop iterations, or where a walk is
+// Runs K segments with all their stages in one pass (`fused`): integrate, intersect, terminate, scatter. The slots of the state are used
+// only between passes. A pass ends at the boundary of a segment, before the device's limit of loop iterations, or where a walk is
 // suspended.
 
 @compute @workgroup_size(GROUP)

@@ -1,5 +1,5 @@
-// As many steps of every ray as it is told, in registers, and nothing else: no segments, no tests for their end, no masks. What
-// `bench limit` holds the schedules against.
+// Takes a given number of steps of every ray in registers and does nothing else: no segments, no tests for their end, no masks. `bench
+// limit` compares the schedules with it.
 
 var<storage, read> wanted_steps: array<u32>;
 

@@ -1,4 +1,4 @@
-// One segment of every ray (`segment`): N steps inside.
+// Integrates one segment of every ray (`segment`), with N steps inside.
 
 @compute @workgroup_size(GROUP)
 fn integrate(own: Invocation) {

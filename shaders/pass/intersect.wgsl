@@ -1,4 +1,4 @@
-// Every segment against the scene (W04 §3.3). Run again where a walk may be suspended: what is complete is left alone.
+// Intersects every segment with the scene (W04 §3.3). The pass runs again if a walk may be suspended, and then skips complete walks.
 
 @compute @workgroup_size(GROUP)
 fn intersect(own: Invocation) {
@@ -12,7 +12,7 @@ fn intersect(own: Invocation) {
         let hit = first_hit(segment, nearby(segment), spot.pixel);
         if spot.code == ALIVE && !walk_suspended() {
             store_hit(spot.pixel, hit);
-            // What was found by loops that were cut short is no end.
+            // A result of loops that were cut short is not final.
             if is_spent() {
                 store_status(spot.pixel, status_word(known_status(ALIVE), dispatch.start, spot.index));
             }

@@ -1,4 +1,4 @@
-// Where each ray is, as numbers, for `trace`: ended rays at their end, the others at the end of their segments so far.
+// Writes the position of each ray as numbers, for `trace`: ended rays at their end, others at the end of their last segment so far.
 
 struct Record {
     x: Real3,
@@ -10,7 +10,7 @@ struct Record {
     rejected: u32,
     // The index of the object in the scene file, from 1; 0 for none.
     object: u32,
-    // The start of its last segment, before the first one its own.
+    // The start of the ray's last segment, or the start of the ray before its first segment.
     from_x: Real3,
     from_v: Real3,
 }

@@ -1,13 +1,13 @@
-// Which pixels take more samples, after each that some took. Where a pixel's four corners, shared with its neighbours, end alike
-// and look alike, it is done with their mean. Others take FIRST_SAMPLES of their own, and twice as many until the standard error
-// of their mean is below the tolerance, or until they have as many as they may: that is counted.
+// Chooses the pixels that take more samples, after each round. If the four corners of a pixel, shared with its neighbors, have the same end
+// and similar colors, the pixel is done with their mean. Other pixels take FIRST_SAMPLES of their own, and then twice as many until the
+// standard error of their mean is below the tolerance, or until they reach the limit, which is counted.
 
 struct Refinement {
-    // In what a screen shows, from 0 to 1.
+    // The tolerance of displayed values, from 0 to 1.
     tolerance: f32,
-    // A pixel's own samples, at most.
+    // The largest number of samples of a pixel.
     most: u32,
-    // What linear values are multiplied by to be shown.
+    // The factor from linear to displayed values.
     gain: f32,
 }
 
@@ -26,7 +26,7 @@ const FIRST_SAMPLES: u32 = 16u;
 var<workgroup> group_open: atomic<u32>;
 var<workgroup> group_capped: atomic<u32>;
 
-// What the four corners say: done, or to be opened. Their values are displayed to be compared, and their mean is of light.
+// Decides by the four corners: done, or open. Their displayed values are compared, and their mean is linear.
 fn from_corners(pixel: vec2u) -> Moments {
     let end = load_corner(pixel);
     var alike = corners_shared(frame.origin + pixel);
@@ -49,7 +49,7 @@ fn from_corners(pixel: vec2u) -> Moments {
     return Moments(vec3f(0.0), 0.0, vec3f(0.0), 1u | OPEN);
 }
 
-// With one more sample, the n-th of the pixel's own.
+// Returns the moments with one more sample, the n-th of the pixel.
 fn with_sample(before: Moments, pixel: vec2u, n: f32) -> Moments {
     let c = load_color(pixel);
     let sum = before.color + c;
@@ -58,7 +58,7 @@ fn with_sample(before: Moments, pixel: vec2u, n: f32) -> Moments {
     return Moments(sum, before.alpha + load_coverage(pixel), squares, before.state + 1u);
 }
 
-// The standard error of the mean of n samples as it is displayed, the largest of the channels'.
+// Returns the standard error of the mean of n samples as it is displayed, the largest over the channels.
 fn shown_error(m: Moments, n: f32) -> f32 {
     let mean = m.color / n;
     let error = sqrt(m.squares / (n * (n - 1.0)));
@@ -71,7 +71,7 @@ fn closed(m: Moments, n: f32, flag: u32) -> Moments {
     return Moments(m.color / n, m.alpha / n, m.squares, (m.state & RAYS) | flag);
 }
 
-// After the last sample of a doubling.
+// Decides after the last sample of a doubling.
 fn judged(m: Moments, n: u32) -> Moments {
     if shown_error(m, f32(n)) < refinement.tolerance {
         return closed(m, f32(n), 0u);

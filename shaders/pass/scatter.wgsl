@@ -1,5 +1,5 @@
-// Rays that met a surface they go on from (in the schedules that have a pass for each stage): refracted or reflected there, each
-// is under way again, in the slot where its segment's end would have been.
+// Scatters rays at surfaces that reflect or transmit (in the schedules with a pass for each stage): each becomes active again, in the slot
+// where the end of its segment would have been.
 
 @compute @workgroup_size(GROUP)
 fn scatter(own: Invocation) {

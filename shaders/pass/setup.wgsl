@@ -1,4 +1,4 @@
-// Ray setup (W04 §3.1): the camera's rays into the first slot of the state.
+// Sets up rays (W04 §3.1): writes the camera's rays to the first slot of the state.
 
 @compute @workgroup_size(GROUP)
 fn setup(own: Invocation) {

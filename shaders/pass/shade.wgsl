@@ -1,4 +1,4 @@
-// Deferred local illumination (W04 §3.4, §7): once per ray, after all segments.
+// Computes deferred local illumination (W04 §3.4, §7): once per ray, after all segments.
 
 @compute @workgroup_size(GROUP)
 fn shade(own: Invocation) {

@@ -1,28 +1,28 @@
-// The paths from lights to places, as numbers, for `bentray light`: each ray that is given is a place, and instead of a velocity its
-// light. So many pairs lie side by side and look for their first paths, then the same pairs for their second, and so on: invocations
-// that run in step share a limit of loop iterations, and are similar.
+// Writes the paths from lights to positions as numbers, for `bentray light`: each given ray is a position, with its light instead of a
+// velocity. Pairs of light and position next to each other search for their first paths, then for their second, and so on: invocations that
+// run in step share a limit of loop iterations, and do similar work.
 
 const ABREAST: u32 = 8u;
 
 struct ShotRecord {
-    // Unit directions, at the light and at the place.
+    // Unit directions, at the light and at the position.
     leaves: Real3,
     spread: Real,
     arrives: Real3,
     error: Real,
-    // Of the search.
+    // The offset of the search.
     offset: Real3,
     gap: Real,
     passed: Real,
     parts: u32,
     found: u32,
-    // 1 if nothing opaque is on the path.
+    // 1 if nothing opaque blocks the path.
     clear: u32,
 }
 
 var<storage, read_write> records: array<ShotRecord>;
 
-// Runs again and again until every search is over: one part of it at a time, and a look along the path that it found.
+// Runs repeatedly until every search is over: each run does one part of a search, and tests the path that it found.
 @compute @workgroup_size(GROUP)
 fn shots(own: Invocation) {
     let spot = grid_pixel(own);
@@ -33,7 +33,7 @@ fn shots(own: Invocation) {
     var clear = r.clear;
     var over = false;
     forget_shots();
-    // What fills up a row is a place at its light.
+    // A row is padded with positions at their light.
     if spot.valid && any(pair.d != pair.x) && r.parts <= SEARCHED {
         if r.parts < SEARCHED {
             search = continued_search(search, pair.d, pair.x, (i / ABREAST) % SHOTS);

@@ -1,4 +1,4 @@
-// One integration step of every ray (`paper`: W04 §3.2 has one pass for each).
+// Takes one integration step of every ray (`paper`: W04 §3.2 has one pass for each).
 
 @compute @workgroup_size(GROUP)
 fn single_step(own: Invocation) {

@@ -1,4 +1,4 @@
-// Which rays ended with this segment (W04 §4.1). An ended ray stays at the segment's start; the others go on from its end.
+// Finds the rays that ended with this segment (W04 §4.1). An ended ray stays at the start of the segment; the others continue from its end.
 
 @compute @workgroup_size(GROUP)
 fn terminate(own: Invocation) {

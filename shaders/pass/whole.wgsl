@@ -1,6 +1,6 @@
-// Paths in registers (`whole`): from the camera to the color in one pass, which touches no slot of the state. An invocation follows
-// the paths of several pixels, one after the other, so that what it does once for all of them costs each of them less. A ray that
-// outlives the pass, before the device's limit of loop iterations, is counted as alive; the host then goes over to `fused`.
+// Follows paths in registers (`whole`): from the camera to the color in one pass, which touches no slot of the state. An invocation follows
+// the paths of several pixels, one after the other, so that they share the cost of its setup. A ray that outlives the pass, before the
+// device's limit of loop iterations, is counted as alive; the host then switches to `fused`.
 
 @compute @workgroup_size(GROUP)
 fn whole(own: Invocation) {

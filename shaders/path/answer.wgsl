@@ -1,23 +1,24 @@
-// What surfaces answer: matte ones by Lambert's law, f = rho/pi; those with a matte part and a glossy one, reciprocal: f = rho/pi + k (e + 2)/(2 pi) cosᵉ a, where a is the angle to the mirror's
-// direction (Lafortune and Willems 1994). The glossy part's albedo is k along the normal and less elsewhere.
+// The reflection of surfaces on paths: Lambertian for matte ones, f = rho/pi; surfaces with a matte and a glossy part are reciprocal: f =
+// rho/pi + k (e + 2)/(2 pi) cosᵉ a, where a is the angle to the mirror direction (Lafortune and Willems 1994). The albedo of the glossy
+// part is k along the normal and less elsewhere.
 
-// Narrower lobes find their light by themselves.
+// The exponent above which a lobe finds its light without next-event estimation.
 const NARROW: f32 = 500.0;
 
-// How often the matte part is chosen.
+// Returns the probability of the matte part.
 fn matte_share(answer: Answer) -> f32 {
     let matte = max(answer.diffuse.x, max(answer.diffuse.y, answer.diffuse.z));
     let glossy = max(answer.gloss.x, max(answer.gloss.y, answer.gloss.z));
     return matte / max(matte + glossy, 1e-30);
 }
 
-// cosᵉ of the angle to the mirror's direction.
+// Returns cosᵉ of the angle to the mirror direction.
 fn lobe(vertex: PathVertex, way: vec3f) -> f32 {
     let cosine = dot(vertex.mirror, way);
     return select(0.0, pow(max(cosine, 1e-30), vertex.answer.exponent), cosine > 0.0);
 }
 
-// f cos theta for light that comes from `way`.
+// Returns f cos theta for light that comes from `way`.
 fn answered(vertex: PathVertex, way: vec3f) -> vec3f {
     if !IS_GLOSSY {
         return answer_density(vertex, way) * vertex.answer.diffuse;
@@ -26,7 +27,7 @@ fn answered(vertex: PathVertex, way: vec3f) -> vec3f {
     return max(dot(vertex.normal, way), 0.0) / f32(PI) * (vertex.answer.diffuse + gloss);
 }
 
-// Of a direction that the surface chooses, per solid angle.
+// Returns the density of a direction that the surface chooses, per solid angle.
 fn answer_density(vertex: PathVertex, way: vec3f) -> f32 {
     if !IS_GLOSSY {
         return max(dot(vertex.normal, way), 0.0) / f32(PI);
@@ -46,7 +47,7 @@ fn answer_way(vertex: PathVertex, u: vec2f, choice: f32) -> vec3f {
     return lobe_way(vertex.mirror, vertex.answer.exponent, u);
 }
 
-// Is it worth to aim from here?
+// Returns `true` if next-event estimation is worthwhile here.
 fn answers_widely(vertex: PathVertex) -> bool {
     if !IS_GLOSSY {
         return true;

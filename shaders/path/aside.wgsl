@@ -1,5 +1,5 @@
-// A path that is reflected begins a little off the surface, on its own side, as one that leaves matter: where the law bends it back it
-// meets that surface again.
+// Offsets the start of a reflected path slightly from the surface, on its own side, like the start of a path that leaves matter: if the law
+// bends it back, it can meet that surface again.
 
 fn leave_aside(surface: Surface, end: PathPoint, leg: ptr<function, Leg>) {
     if dot(surface.across, end.v) * dot(surface.across, (*leg).v) < 0.0 {

@@ -1,22 +1,22 @@
-// What a path carries from surface to surface, in place of a weight alone: what light at its end counts for at the camera, and the light
-// that it has found on its way. Since L/n² is kept along a ray (thesis Eq. 14), of all indices only the first and the last matter.
+// The state that a path carries from surface to surface, instead of a throughput alone: the throughput, and the light that it has found.
+// Since L/n² is constant along a ray (thesis Eq. 14), only the first and the last of all indices matter.
 
 struct Carried {
-    // The parts that surfaces have sent on.
+    // The throughput: the product of the surfaces' reflected or transmitted fractions.
     weight: vec3f,
-    // n² where the camera is.
+    // n² at the camera.
     camera: f32,
-    // Light found so far, as the camera sees it.
+    // The light found so far, as the camera sees it.
     gathered: vec3f,
-    // What emission that is met next counts for beside that which is aimed at (Veach 1997, the balance heuristic).
+    // The weight of emission that is met next, when it is also sampled by next-event estimation (Veach 1997, the balance heuristic).
     share: f32,
-    // Surfaces that sent it on so far.
+    // The number of surfaces that scattered the path so far.
     scatterings: u32,
-    // Which of its rays is under way.
+    // The ray of the path that is being followed.
     flight: u32,
-    // 1 once its first surface is in the picture's layers.
+    // 1 once its first surface is in the image's layers.
     recorded: u32,
-    // 1 from where its wavelength has mattered.
+    // 1 once its wavelength has mattered.
     dispersed: u32,
 }
 
@@ -26,7 +26,7 @@ var<private> carried: Carried;
 
 // The path's own ray.
 const OWN: u32 = 0u;
-// None: it ended on a surface, or by roulette.
+// No ray: the path ended on a surface, or by Russian roulette.
 const OVER: u32 = 1u;
 
 fn load_weight(pixel: vec2u) {
@@ -46,13 +46,13 @@ fn start_weight(x: Real3) {
     carried.camera = f32(n * n);
 }
 
-// Is next to nothing left?
+// Multiplies the throughput by `factor`, and returns `true` if it is then negligible.
 fn scale_weight(factor: vec3f) -> bool {
     carried.weight *= factor;
     return max(carried.weight.x, max(carried.weight.y, carried.weight.z)) < DARK;
 }
 
-// Of light that is emitted at x towards the path.
+// Adds the light that is emitted at x towards the path.
 fn gather(radiance: vec3f, x: Real3) {
     let n = medium_index(x);
     var light = carried.share * carried.camera / f32(n * n) * carried.weight * radiance;

@@ -1,23 +1,23 @@
-// What is random on a path: for every use of it, at every scattering of every pixel's sample, a point of the unit square. Nothing is
-// stored, and the samples of one use are Sobol's points, shuffled and scrambled (Burley 2020, padding).
+// Random numbers of a path: for every use, at every scattering of every sample of a pixel, a point of the unit square. Nothing is stored,
+// and the samples of one use are the Sobol points, shuffled and scrambled (Burley 2020, padding).
 
 struct Transport {
-    // Scatterings after which a path is cut.
+    // The number of scatterings after which a path is cut.
     depth: u32,
-    // Scatterings after which roulette begins.
+    // The number of scatterings after which Russian roulette begins.
     roulette: u32,
     seed: u32,
 }
 
 var<uniform> transport: Transport;
 
-// Uses.
+// The uses of random points.
 const DIRECTION: u32 = 0u;
-// Which lobe, and whether the path goes on.
+// The choice of a lobe, and of whether the path continues.
 const CHOICE: u32 = 1u;
 const BRANCH: u32 = 16u;
 
-// Of a pixel, wherever it is in its tile.
+// Returns the seed of a pixel, independent of its position in its tile.
 fn pixel_seed(pixel: vec2u) -> u32 {
     let whole = frame.origin + pixel;
     return hashed(whole.x ^ hashed(whole.y ^ hashed(transport.seed)));

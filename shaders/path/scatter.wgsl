@@ -1,27 +1,28 @@
-// Path tracing (thesis 4.3): a sample is one path, which goes on from every surface in one direction until it finds no more light. Each
-// part of it is a ray as any other, followed under the scene's law and through its media, so that nothing assumes that light is
-// straight: no line of sight is ever asked for.
+// Path tracing (thesis 4.3): a sample is one path, which continues from every surface in one direction until it finds no more light. Each
+// part of it is an ordinary ray, followed under the scene's law and through its media, so that nothing assumes that light is straight: no
+// line of sight is ever tested.
 
-// Set in place of a primitive where a path starts just off a surface: nothing is hit before that start, and nothing is left out.
+// Replaces the primitive if a path starts just off a surface: nothing is hit before that start, and no surface is ignored.
 const OFF_SURFACE: u32 = 0xfffffffeu;
 
-// No path is likelier than this to survive roulette.
+// The largest probability of a path to survive Russian roulette.
 const LIKELIEST: f32 = 0.95;
 
-// How a path goes on, if it does.
+// The continuation of a path, if there is one.
 struct Leg {
     x: Real3,
     v: Real3,
     tau: Real,
     // The surface that it leaves, or OFF_SURFACE.
     primitive: u32,
-    // ALIVE, or the status that it ends with.
+    // ALIVE, or the status with which it ends.
     code: u32,
 }
 
-// The same however it goes on, and once for all that do: what stands under a condition costs its neighbours' time too.
+// Continues the path of a ray that met a surface. The code after all cases is shared, because code under a condition also costs the time of
+// neighboring lanes.
 //
-// ray: at the start of its last segment. It comes back under way from the surface that it met, or with the status that ends it.
+// ray: at the start of its last segment. It is returned active from the surface that it met, or with the status that ends it.
 fn scatter_ray(ray: Ray, met: ptr<function, Hit>, pixel: vec2u) -> Ray {
     if carried.flight == OVER || (carried.flight == OWN && ray.status != HIT) {
         return ray;
@@ -81,7 +82,7 @@ fn met_surface_leg(ray: Ray, met: ptr<function, Hit>, end: PathPoint, pixel: vec
     return leg;
 }
 
-// On a surface that is neither clear nor a mirror.
+// Continues a path on a surface that is neither transparent nor a mirror.
 fn met_matter(ray: Ray, end: PathPoint, surface: Surface, material: Material, pixel: vec2u) -> Leg {
     let way = vec3f(normalize(end.v));
     let across = select(vec3f(surface.across), -vec3f(surface.across), dot(vec3f(surface.across), way) > 0.0);
@@ -102,7 +103,7 @@ fn met_matter(ray: Ray, end: PathPoint, surface: Surface, material: Material, pi
     if carried.scatterings >= transport.depth {
         return Leg(end.x, end.v, end.tau, OFF_SURFACE, CUT);
     }
-    // On the surface itself first: how far off a long way ends has nothing to do with the numbers there.
+    // Starts on the surface itself: the error of the end after a long path has nothing to do with the numbers there.
     let start = lit_from(end.x - surface.gap * surface.across, surface, -way);
     let mirror = way - 2.0 * dot(way, normal) * normal;
     let vertex = PathVertex(start, end.tau, length(end.v), across, normal, mirror, answer);
@@ -117,7 +118,7 @@ fn met_matter(ray: Ray, end: PathPoint, surface: Surface, material: Material, pi
     return left_vertex(vertex, onward, density, weight, pixel);
 }
 
-// The path's own ray from a vertex, of which so much is left; `code` where nothing is.
+// Returns the path's own ray from a vertex, with its throughput; `code` if that is negligible.
 fn own_leg(x: Real3, v: Real3, tau: Real, weight: vec3f, code: u32) -> Leg {
     carried.weight = weight;
     return Leg(x, v, tau, OFF_SURFACE, select(ALIVE, code, all(weight <= vec3f(0.0))));

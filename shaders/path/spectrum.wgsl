@@ -1,22 +1,23 @@
-// Light of one wavelength a path, drawn evenly from all that is visible, and its colour. A path has one only from where glass has asked for
-// its wavelength: before, all wavelengths go the same way, and are followed together. Whether it is asked for does not depend on it up to
-// there, so that nothing is counted twice.
+// Gives a path one wavelength, drawn uniformly from the visible range, and its color. A path has one only after a medium has asked for its
+// wavelength: before that, all wavelengths follow the same path together. Whether it is asked for does not depend on the wavelength up to
+// that point, so that nothing is counted twice.
 
-// Nanometres.
+// The visible range, in nanometers.
 const SHORTEST: f32 = 380.0;
 const LONGEST: f32 = 730.0;
 
 var<private> drawn_wavelength: f32;
 
-// Micrometres.
+// Returns the wavelength, in micrometers.
 fn wavelength() -> Real {
     return 1e-3 * Real(drawn_wavelength);
 }
 
-// This use of random points.
+// The number of this use of random points.
 const WAVELENGTH: u32 = 0x57415645u;
 
-// Of a picture's paths, of which nothing is stored, for the same point is drawn each time; and of paths from lamps, one each.
+// Draws a wavelength. Nothing is stored for the paths of an image, because the same point is drawn each time; paths from lights have one
+// each.
 fn draw_wavelength(pixel: vec2u) {
     if FOLLOWS_PATHS {
         drawn_wavelength = mix(SHORTEST, LONGEST, seeded_point(hashed(pixel_seed(pixel) ^ WAVELENGTH)).x);
@@ -34,9 +35,9 @@ fn color_dispersed(light: ptr<function, vec3f>) {
     *light *= select(vec3f(1.0), spectral_color(drawn_wavelength), carried.dispersed != 0u);
 }
 
-// In linear sRGB, as near as it comes to it without negative parts; 1 in the mean over all wavelengths.
+// Returns the color in linear sRGB, approximated without negative components; its mean over all wavelengths is 1.
 fn spectral_color(nm: f32) -> vec3f {
-    // The CIE's standard observer of 1931 by sums of lobes (Wyman, Sloan and Shirley 2013).
+    // The CIE 1931 standard observer by sums of lobes (Wyman, Sloan and Shirley 2013).
     let x = 1.056 * spectral_lobe(nm, 599.8, 37.9, 31.0) + 0.362 * spectral_lobe(nm, 442.0, 16.0, 26.7)
         - 0.065 * spectral_lobe(nm, 501.1, 20.4, 26.2);
     let y = 0.821 * spectral_lobe(nm, 568.8, 46.9, 40.5) + 0.286 * spectral_lobe(nm, 530.9, 16.3, 31.1);
@@ -49,7 +50,7 @@ fn spectral_color(nm: f32) -> vec3f {
     return max(linear, vec3f(0.0)) / SPECTRAL_MEAN;
 }
 
-// Of all wavelengths that are drawn: light of them all alike is white.
+// The mean over all wavelengths that are drawn: their uniform mixture is white.
 const SPECTRAL_MEAN: vec3f = vec3f(0.503379, 0.329663, 0.312275);
 
 fn spectral_lobe(nm: f32, middle: f32, below: f32, above: f32) -> f32 {

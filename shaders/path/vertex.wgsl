@@ -1,23 +1,24 @@
-// A vertex: a place where a path goes on in a direction that it chooses.
+// A vertex of a path: a position where the path continues in a direction that it chooses.
 
-// What a surface makes of light there.
+// The reflection and emission of a surface at the vertex.
 struct Answer {
-    // Radiance of its own.
+    // The emitted radiance.
     emission: vec3f,
-    // What it gives back evenly: its albedo, rho.
+    // The diffuse albedo, rho.
     diffuse: vec3f,
-    // What it gives back about the mirror's direction, k, seen along the normal (Lafortune and Willems 1994), and the lobe's exponent e.
+    // The glossy reflectance about the mirror direction, k, seen along the normal (Lafortune and Willems 1994), and the exponent e of the
+    // lobe.
     gloss: vec3f,
     exponent: f32,
 }
 
 struct PathVertex {
-    // A little off the surface, on the side that the path came from.
+    // The position, slightly off the surface, on the side that the path came from.
     x: Real3,
     tau: Real,
-    // Of light there.
+    // The speed of light there.
     speed: Real,
-    // Unit vectors to that side: the surface's own normal, the one to shade with, and where a mirror would send the path.
+    // Unit vectors on that side: the geometric normal, the shading normal, and the mirror direction.
     across: vec3f,
     normal: vec3f,
     mirror: vec3f,

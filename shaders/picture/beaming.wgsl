@@ -1,8 +1,8 @@
-// Light is as bright as its shift makes it: by g⁴, over all of its frequencies together. Its hue stays, but for black bodies', of which the
-// colour is known at any shift; or each colour is taken for that of the black body whose red and blue are as it has them: what is shifted
-// by g looks like one of g times the temperature.
+// Scales the brightness of light by g⁴, integrated over all frequencies, where g is the redshift factor. The hue does not change, except
+// for black bodies, whose color is known at any g. Optionally each color is taken as the one of a black body with the same ratio of red to
+// blue: shifted by g it looks like a black body of g times the temperature.
 
-// Kelvins: between these a colour says how hot it is.
+// The range of temperatures, in kelvins, in which a color determines one.
 const REDDEST: f32 = 2000.0;
 const BLUEST: f32 = 40000.0;
 const HUE_HALVINGS: u32 = 12u;

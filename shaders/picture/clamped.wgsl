@@ -1,13 +1,13 @@
-// No sample is brighter than the scene says; what that takes from the picture is counted, pixel by pixel.
+// Clamps the brightness of samples to the scene's limit; the light that this removes from the image is recorded for every pixel.
 
 struct Brightest {
-    // Of the brightest channel.
+    // The limit of the brightest channel.
     radiance: f32,
 }
 
 var<uniform> brightest: Brightest;
 var<storage, read_write> pixel_clamped_samples: array<u32>;
-// Radiance, all colors together.
+// The radiance removed, summed over the colors.
 var<storage, read_write> pixel_clamped_light: array<f32>;
 
 fn clamp_sample(pixel: vec2u, c: ptr<function, vec3f>) {

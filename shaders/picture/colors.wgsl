@@ -1,4 +1,4 @@
-// Every pixel's color, summed over what shading adds to it.
+// Stores the color of every pixel, summed over its samples.
 
 var<storage, read_write> pixel_color: array<vec3f>;
 

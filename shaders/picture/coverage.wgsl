@@ -1,9 +1,9 @@
-// How many of a pixel's samples are of the picture. Where the camera has no rays nothing is, and of a transparent sky a part may be seen.
-// Matter scatters light into all directions: behind it nothing is seen.
+// Computes the alpha of a pixel: the number of its samples that show the scene. Where the camera has no rays, alpha is 0, and a transparent
+// sky may be partly visible. Matter scatters light into all directions: nothing behind it is visible.
 
 var<storage, read_write> pixel_alpha: array<f32>;
 
-// The samples' sum, like the colours'; but not that of the rounds in which a sample's branches are followed.
+// Adds to the sum over samples, like the colors', but only once for all branches of a sample.
 fn add_coverage(pixel: vec2u, code: u32) {
     if !IS_TRANSPARENT {
         return;
@@ -14,7 +14,7 @@ fn add_coverage(pixel: vec2u, code: u32) {
     }
 }
 
-// So much of a sample's light would come from behind the picture: 1 where nothing is before that.
+// Marks the fraction `passed` of a sample's light as coming from behind the image: 1 if nothing is in front.
 fn uncover(pixel: vec2u, passed: vec3f) {
     let part = clamp((passed.x + passed.y + passed.z) / 3.0, 0.0, 1.0);
     pixel_alpha[place_in_tile(pixel)] -= part;
@@ -27,7 +27,7 @@ fn load_coverage(pixel: vec2u) -> f32 {
     return max(pixel_alpha[place_in_tile(pixel)], 0.0);
 }
 
-// What is seen through a transparent sky, by rays that carry light with them and by others.
+// Computes the visibility of a transparent sky, for rays with a throughput and for others.
 fn see_through(pixel: vec2u, code: u32, x: Real3) {
     if CARRIES_LIGHT {
         if carried.flight != OVER && carried.recorded == 0u && (code == ESCAPED || code == MISSED) {

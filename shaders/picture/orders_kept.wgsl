@@ -1,8 +1,8 @@
-// The light of rays' first crossing of a translucent surface, of their second and of their third, each for itself: luminance.
+// Stores the luminance of each ray's first, second and third crossing of a translucent surface, separately (the image orders).
 
 var<storage, read_write> pixel_orders: array<vec3f>;
 
-// The samples' sums, like the colors'. light: what the pixel's ray adds to the picture.
+// Adds to the sums over samples, like the colors'. light: the contribution of the pixel's ray to the image.
 fn add_order(pixel: vec2u, light: vec3f) {
     let place = place_in_tile(pixel);
     let sums = select(pixel_orders[place], vec3f(0.0), sum_begins());

@@ -1,27 +1,28 @@
-// Every pixel takes every sample. Before the first, where pictures and patterns are averaged, rays through the corners of all pixels tell what of a picture or a pattern a pixel sees:
-// as large as the four ends of its corners are apart, wherever light has been bent on its way (after Igehy 1999, with neighbours in place
-// of derivatives). Where corners do not end alike it is not known, and pictures are as sharp as ever.
+// Gives every pixel every sample, and measures footprints. If images and patterns are averaged, rays through the corners of all pixels are
+// followed before the first sample. The footprint is the distance between the four ends of a pixel's corners, wherever light has been bent
+// on the way (after Igehy 1999, with neighbors instead of derivatives). If the corners do not have the same end, the footprint is unknown,
+// and images are not filtered.
 
 struct Corner {
-    // On a surface its u and v, at infinity the direction.
+    // u and v on a surface, or the direction at infinity.
     place: vec3f,
-    // How the ray ended, and on which object.
+    // The status and the object of the ray's end.
     end: u32,
 }
 
 var<storage, read_write> pixel_corner: array<Corner>;
 
-// Directions further apart than this are not of one bundle of light, or of none that is smooth.
+// The largest difference of directions within one smooth bundle of light.
 const WIDEST_BUNDLE: f32 = 0.5;
 
-// What one sample sees along the pixel's two sides; zero where that is not known.
+// The footprint of one sample along the pixel's two sides; zero if unknown.
 var<private> footprint: array<vec3f, 2>;
-// The surface that it was known of.
+// The surface to which the footprint belongs.
 var<private> footprint_end: u32;
-// Where on a surface the ray ended.
+// The position on a surface where the ray ended.
 var<private> place_seen: vec3f;
 
-// Sums run over all of a pixel's samples: the host divides once, at the end.
+// Sums run over all samples of a pixel: the host divides once, at the end.
 fn sum_begins() -> bool {
     return frame.sample + frame.branch == 0u;
 }
@@ -38,13 +39,13 @@ fn end_of(status: u32, object: u32) -> u32 {
     return select(status, ESCAPED, status == MISSED) | (object << 4u);
 }
 
-// From one corner to another; u and v may have gone round.
+// Returns the difference of two corners; u and v may have wrapped around.
 fn apart(a: Corner, b: Corner) -> vec3f {
     let d = b.place - a.place;
     return select(d, d - round(d), (a.end & 15u) == HIT);
 }
 
-// Before what a ray saw is asked for.
+// Prepares the footprint, before the color of a ray's end is computed.
 fn note_footprint(pixel: vec2u, ray: Ray) {
     footprint = array<vec3f, 2>();
     footprint_end = end_of(ray.status, 0u);
@@ -66,7 +67,7 @@ fn note_footprint(pixel: vec2u, ray: Ray) {
     }
 }
 
-// On a surface.
+// Stores the position on a surface.
 fn note_place(object: u32, uv: vec2f) {
     place_seen = vec3f(uv, 0.0);
     if end_of(HIT, object + 1u) != footprint_end {
@@ -74,7 +75,7 @@ fn note_place(object: u32, uv: vec2f) {
     }
 }
 
-// Before a picture on it is sampled, which is repeated so often.
+// Sets the footprint in an image on the surface that is repeated `repeat` times, before the image is sampled.
 fn span_pattern(repeat: vec2f) {
     if FILTERS_IMAGES {
         note_spans(repeat * footprint[0].xy, repeat * footprint[1].xy);
@@ -89,6 +90,6 @@ fn keep_corner(pixel: vec2u, ray: Ray, seen: Seen) {
         let place = select(vec3f(normalize(seen.end.v)), place_seen, ray.status == HIT);
         pixel_corner[place_in_tile(pixel)] = Corner(place, end_of(ray.status, seen.object));
     }
-    // On the next pixel's way nothing is known.
+    // The footprint of the next pixel is unknown.
     footprint = array<vec3f, 2>();
 }

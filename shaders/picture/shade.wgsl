@@ -1,5 +1,5 @@
-// What a ray saw, and what media have added to it on its way, goes into the picture. What could not be followed stays black, and is counted
-// and shown in the status output, never painted as sky.
+// Adds the light that a ray saw, and the emission of media along its path, to the image. Rays that could not be followed stay black, and
+// are counted and shown in the status output, never painted as sky.
 
 // ray: at the start of its last segment, which ended on `end`.
 fn shade_ray(pixel: vec2u, ray: Ray, end: Hit) {
@@ -52,7 +52,7 @@ fn shade_ray(pixel: vec2u, ray: Ray, end: Hit) {
     keep_corner(pixel, ray, seen);
 }
 
-// Once a path is over: the light of surfaces on its way, and of the sky at its end.
+// Adds the light of a finished path: from surfaces on its way, and from the sky at its end.
 fn shade_path(pixel: vec2u, ray: Ray, end: Hit) {
     let seen = seen_at(ray, end);
     if carried.flight != OVER && (ray.status == ESCAPED || ray.status == MISSED) {
@@ -76,6 +76,6 @@ fn shade_path(pixel: vec2u, ray: Ray, end: Hit) {
     if carried.recorded == 0u {
         keep_layers(pixel, ray, seen);
     }
-    // Corners that look alike prove nothing of a path's light: no two are said to be of the same object.
+    // Similar colors of corners prove nothing about a path's light, so that no two corners count as the same object.
     keep_corner(pixel, ray, Seen(seen.end, seen.color, seen.normal, place_in_tile(pixel)));
 }

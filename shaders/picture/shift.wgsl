@@ -1,10 +1,10 @@
-// By how much light has shifted on its way, g: its frequency as the observer at the camera sees it over what its source gave it. Light of
-// frequency 1 at the camera has momentum K there. K_t is the same all along its way, and so is K_φ about an axis that the law is the same
-// around. Where matter of four-velocity u sent it, its frequency is u·K.
+// Computes the redshift factor g of light: its frequency as the observer at the camera sees it divided by its frequency at the source.
+// Light of frequency 1 at the camera has momentum K there. K_t is constant along its path, and so is K_φ about an axis of symmetry of the
+// law. If matter of four-velocity u emitted it, its frequency is u·K.
 //
-// At the path's end its velocity gives K but for a factor, which follows from K_t and K_φ: together they are 0 for no light outside a
-// horizon, though near one both are small beside the rest of K, and inside an ergosphere K_t may be 0 or below. What u has along ∂t and
-// ∂φ needs no factor, so that the shift of matter in orbit is as right as the place where it is seen.
+// At the end of the path the velocity gives K up to a factor, which follows from K_t and K_φ: outside a horizon they are never both 0, but
+// near one both are small compared with the rest of K, and inside an ergosphere K_t may be 0 or negative. The parts of u along ∂t and ∂φ
+// need no factor, so that the redshift of orbiting matter is as accurate as its position.
 
 struct Frequency {
     // K_t and K_φ are linear in the camera's direction.
@@ -12,7 +12,7 @@ struct Frequency {
     energy_rest: Real,
     turning_along: Real3,
     turning_rest: Real,
-    // The axis of φ; 0 where K_φ is not kept.
+    // The axis of φ; 0 if K_φ is not conserved.
     axis: Real3,
 }
 
@@ -23,7 +23,7 @@ var<private> ray_kept: Real2;
 // The redshift of the surface or sky that the ray saw, if any.
 var<private> seen_shift: Real;
 
-// What sends the sky's light is at rest, far away.
+// The source of the sky's light is static, far away.
 fn note_frequency(pixel: vec2u, ray: Ray) {
     let d = picture_ray(pixel).d;
     ray_kept = Real2(frequency.energy_rest + dot(frequency.energy_along, d), frequency.turning_rest + dot(frequency.turning_along, d));
@@ -33,7 +33,7 @@ fn note_frequency(pixel: vec2u, ray: Ray) {
 fn note_matter(material: Material, end: PathPoint) {
     let u = surface_matter(material, end.x);
     let momentum = law_momentum(end.x, end.v);
-    // ∂φ, and 1 over the square of its length in coordinates, by which K_φ weighs as much as K_t.
+    // ∂φ, and the inverse of its squared coordinate length, which gives K_φ and K_t equal weight.
     let around = cross(frequency.axis, law_arm(end.x));
     let weight = 1.0 / max(dot(around, around), 1e-30);
     let known = Real2(momentum.w, dot(around, momentum.xyz));
@@ -44,7 +44,7 @@ fn note_matter(material: Material, end: PathPoint) {
     seen_shift = 1.0 / (u.w * ray_kept.x + turning * ray_kept.y + factor * dot(other, momentum.xyz));
 }
 
-// u of what is at rest, or moves as it is said of an object; where nothing can move so no light comes from there.
+// Returns u of an object that is static or moves as the scene specifies; if no object can move so, no light comes from there.
 fn matter_at_rest(x: Real3) -> Real4 {
     var k = Real4(0.0, 0.0, 0.0, 1.0);
     if TRAVELS {

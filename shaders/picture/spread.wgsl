@@ -1,14 +1,14 @@
-// How far a pixel's samples are from their mean: the sum of the squared distances, of their luminance (Welford 1962), from which the
-// host has the standard error of the picture.
+// Accumulates the squared distances of a pixel's samples from their mean, by luminance (Welford 1962). The host computes the standard error
+// of the image from them.
 
 var<storage, read_write> pixel_spread: array<f32>;
 
-// Of linear light in sRGB's primaries.
+// Returns the luminance of linear light in the sRGB primaries.
 fn luminance(c: vec3f) -> f32 {
     return dot(c, vec3f(0.2126, 0.7152, 0.0722));
 }
 
-// c: one more sample, which is not in the picture yet.
+// c: one more sample, which is not in the image yet.
 fn keep_spread(pixel: vec2u, c: vec3f) {
     let n = f32(frame.sample);
     let sum = luminance(load_color(pixel));

@@ -1,38 +1,38 @@
-// Numbers of 64 bits, for truth to compare with.
+// Numbers of 64 bits, for reference solutions.
 //
-// The elementary functions in f64, from arithmetic alone: WGSL has none for f64, and those that drivers let through are
-// missing or have the accuracy of f32. Neither can the bits of an f64 be had: powers of two come by way of f32. There are
-// no branches, since neighbouring invocations would run both sides anyway. The polynomials are minimax (Remez, in 60
-// digits, weighted to the relative error of the result) and add less than 2e-17.
+// The elementary functions in f64 use arithmetic alone: WGSL has none for f64, and those that drivers accept are missing or have the
+// accuracy of f32. The bits of an f64 are not accessible either: powers of two come from f32. There are no branches, since neighboring
+// invocations would run both sides anyway. The polynomials are minimax (Remez, in 60 digits, weighted to the relative error of the result)
+// and add less than 2e-17.
 
 alias Real = f64;
 alias Real2 = vec2<f64>;
 alias Real3 = vec3<f64>;
 alias Real4 = vec4<f64>;
 
-// A part of a whole that is no more than a few roundings.
+// A relative difference of a few roundings.
 const LAST_PART: Real = 4e-16;
 
-// Squared indices that agree to this part are the same: rounding must not make a surface out of a smooth place.
+// The relative difference up to which squared indices are equal: rounding must not make a surface out of a smooth medium.
 const MATCHED: Real = 1e-13;
 
-// How far from a surface, in parts of its distance from the origin, a point may lie by rounding that is on it.
+// The distance from a surface, relative to the distance from the origin, that rounding may give to a point on the surface.
 const SURFACE_SLACK: Real = 1e-14;
 
-// Steps of a quarter turn and more that are as good as exact.
+// The number of steps of at least a quarter turn that is practically exact.
 const ASYMPTOTE_STEPS: u32 = 1024u;
 
-// Steps of a whole turn about a centre that are as good as exact.
+// The number of steps of a whole turn around a center that is practically exact.
 const ROUND_STEPS: u32 = 1024u;
 
-// What f32 has no finite number for is beyond every scene.
+// Values beyond the range of f32 are larger than every scene.
 fn finite(a: Real3) -> bool {
     return all((bitcast<vec3u>(vec3f(a)) & vec3u(0x7f800000u)) != vec3u(0x7f800000u));
 }
 
-// The same number, behind which no compiler sees: a step's result must not be simplified together with what uses it (x₁ − x₀
-// to h v), or passes that are cut differently would round differently; and sums in a certain order must stay in it, which compilers
-// of GPUs change. WGSL has no bit operations on f64: a choice is in the way as well.
+// Returns the argument unchanged, opaque to compilers: the result of a step must not be simplified together with its use (x₁ − x₀ to h v),
+// or passes that are divided differently would round differently; and sums in a given order must stay in it, which GPU compilers change.
+// WGSL has no bit operations on f64: a select blocks simplification too.
 fn opaque(a: Real) -> Real {
     return select(a, 0.0, frame.zero != 0u);
 }
@@ -45,7 +45,8 @@ fn opaque4(a: Real4) -> Real4 {
     return select(a, Real4(0.0), frame.zero != 0u);
 }
 
-// What no calculation goes on from, and what stands for no value: no compiler knows them, for none could be written.
+// Infinity, and not a number. WGSL has no literals for them, so that they are computed with `frame.zero`, whose value compilers do not
+// know.
 fn infinite() -> Real {
     return Real(bitcast<f32>(0x7f800000u ^ frame.zero));
 }
@@ -74,14 +75,14 @@ const TWO_TO_MINUS_720: Real = 1.8130221999122236e-217;
 const TWO_TO_240: Real = 1.7668470647783843e72;
 const TWO_TO_MINUS_240: Real = 5.659799424266695e-73;
 
-// 2^n for n from −126 to 127: the bits of an f32 without a fraction.
+// Returns 2^n for n from −126 to 127: the bits of an f32 without a fraction.
 fn power_of_two(n: i32) -> Real {
     return Real(bitcast<f32>((n + 127) << 23u));
 }
 
-// e^x = 2^n e^r with |r| ≤ ln 2 / 2. Underflows to 0, overflows to infinity.
+// Returns e^x = 2^n e^r with |r| ≤ ln 2 / 2. It underflows to 0 and overflows to infinity.
 fn real_exp(x: Real) -> Real {
-    // Beyond these bounds the result is 0 or infinite all the same, and they keep n small.
+    // Beyond these bounds the result is 0 or infinite anyway, and they keep n small.
     let bounded = clamp(x, -750.0, 720.0);
     let n = floor(bounded * LOG2_E + 0.5);
     let r = opaque(bounded - n * LN_2_HIGH) - n * LN_2_LOW;
@@ -96,7 +97,7 @@ fn real_exp(x: Real) -> Real {
     p = p * r + 4.1666666666529725e-2;
     p = p * r + 0.1666666666666641;
     p = p * r + 0.5000000000000011;
-    // 2^n is too wide for power_of_two, and where e^x is not, 2^n may be: hence three factors, n = 8h + 8h + (n mod 16).
+    // 2^n exceeds the range of power_of_two, and may exceed f64 where e^x does not: hence three factors, n = 8h + 8h + (n mod 16).
     let k = i32(n);
     let h1 = power_of_two(k >> 4u);
     let h2 = h1 * h1;
@@ -105,7 +106,7 @@ fn real_exp(x: Real) -> Real {
     return opaque((1.0 + (r + r * r * p)) * power_of_two(k & 15) * h8) * h8;
 }
 
-// (2 artanh s − 2s)/s³ of z = s², for |s| up to 0.172.
+// Returns (2 artanh s − 2s)/s³ for z = s², for |s| up to 0.172.
 fn artanh_tail(z: Real) -> Real {
     var p: Real = 0.14797031938946162;
     p = p * z + 0.15313951700232742;
@@ -117,14 +118,14 @@ fn artanh_tail(z: Real) -> Real {
     return p;
 }
 
-// ln x = n ln 2 + ln m for x > 0, with m from √½ to √2. (At 0 about −755, which is as good as −∞ to real_exp.)
+// Returns ln x = n ln 2 + ln m for x > 0, with m from √½ to √2. (At 0 about −755, which real_exp treats like −∞.)
 fn real_log(x: Real) -> Real {
-    // Two steps of ±720 and ±240 bring every exponent within f32's range: beyond 2^±360 the one, beyond 2^±120 the other.
+    // Two steps of ±720 and ±240 bring every exponent within the range of f32: the first beyond 2^±360, the second beyond 2^±120.
     let far = select(select(0, -720, x < 4.257959840008151e-109), 720, x > 2.3485425827738332e108);
     let nearer = x * select(select(ONE, TWO_TO_720, far < 0), TWO_TO_MINUS_720, far > 0);
     let off = select(select(0, -240, nearer < 7.52316384526264e-37), 240, nearer > 1.329227995784916e36);
     let near = nearer * select(select(ONE, TWO_TO_240, off < 0), TWO_TO_MINUS_240, off > 0);
-    // The distance from √2's fraction to the next exponent's carries everything above √2 over.
+    // The distance from the fraction of √2 to the next exponent carries every value above √2 over.
     let k = ((bitcast<i32>(f32(near)) + 0x4afb0d) >> 23u) - 127;
     let f = near * power_of_two(-k) - 1.0;
     // With s = f / (2 + f), ln m is 2 artanh s = f − (f²/2 − s (f²/2 + s² p)), which keeps f, and so ln x near 1, exact.
@@ -136,25 +137,26 @@ fn real_log(x: Real) -> Real {
     return n * LN_2_HIGH - opaque((half - (s * (half + z * p) + n * LN_2_LOW)) - f);
 }
 
-// ln(a/b), good to its last digits where the two are close.
+// Returns ln(a/b), accurate to its last digits if the two are close.
 fn log_ratio(a: Real, b: Real) -> Real {
     let s = (a - b) / (a + b);
     return select(real_log(a / b), s * (2.0 + s * s * artanh_tail(s * s)), abs(s) < 0.17);
 }
 
-// Sine and cosine, for |a| up to 1e6: those of r = a − n π/2, exchanged and signed by n.
+// Returns the sine and cosine of a, for |a| up to 1e6: those of r = a − n π/2, exchanged and signed by n.
 fn real_sin_cos(a: Real) -> Real2 {
     let n = floor(a * QUARTERS_PER_RADIAN + 0.5);
     return quadrant_sin_cos(opaque(a - n * QUARTER_TURN_HIGH) - n * QUARTER_TURN_LOW, i32(n));
 }
 
-// Sine and cosine of q quarter turns: whole ones come off without rounding, so that an angle of many turns is as good as its q.
+// Returns the sine and cosine of q quarter turns: whole ones are subtracted without rounding, so that the result for many turns is as
+// accurate as q.
 fn quarters_sin_cos(q: Real) -> Real2 {
     let n = floor(q + 0.5);
     return quadrant_sin_cos((q - n) * (2.0 * EIGHTH_TURN), i32(n));
 }
 
-// Sine and cosine of r + k π/2, |r| ≤ π/4.
+// Returns the sine and cosine of r + k π/2, |r| ≤ π/4.
 fn quadrant_sin_cos(r: Real, k: i32) -> Real2 {
     let z = r * r;
     // (sin r − r) / r³
@@ -179,7 +181,7 @@ fn quadrant_sin_cos(r: Real, k: i32) -> Real2 {
     return Real2(select(y, -y, (k & 2) != 0), select(x, -x, ((k + 1) & 2) != 0));
 }
 
-// atan2, 0 at (0, 0): atan on [−tan π/8, tan π/8], moved to the right octant by a single, thus once rounded, sum.
+// Returns atan2, 0 at (0, 0): atan on [−tan π/8, tan π/8], moved to the right octant by a single sum, which is rounded once.
 fn arc_tangent(y: Real, x: Real) -> Real {
     let big = max(abs(x), abs(y));
     let small = min(abs(x), abs(y));
@@ -187,7 +189,7 @@ fn arc_tangent(y: Real, x: Real) -> Real {
     let folded = small > 0.41421356237309503 * big;
     let above = select(small, small - big, folded);
     let below = select(big, small + big, folded);
-    // The least normal number stands in for 0.
+    // The smallest normal number replaces 0.
     let t = above / max(below, 2.2250738585072014e-308);
     let z = t * t;
     // (atan t − t) / t³

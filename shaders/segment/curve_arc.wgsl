@@ -1,9 +1,9 @@
-// A segment is a cubic Hermite arc through its ends, cut into chords that stay within a tolerance of it.
+// Treats a segment as a cubic Hermite arc through its ends, cut into chords within a tolerance of it.
 
 struct Arc {
     // The tolerance, in scene units.
     tolerance: Real,
-    // The box of everything that can be hit.
+    // The bounding box of everything that can be hit.
     lo: Real3,
     hi: Real3,
 }
@@ -12,15 +12,16 @@ var<uniform> arc: Arc;
 
 const MAX_PIECES: Real = 16.0;
 
-// None where the box of the arc's Bézier points misses the scene's, or where the motion knows that nothing is on its way.
+// Returns the number of chords: 0 if the box of the arc's Bézier points misses the scene's box, or if the motion knows that nothing is on
+// the way.
 fn segment_pieces(s: Segment) -> u32 {
     let b1 = s.x0 + (s.h / 3.0) * s.v0;
     let b2 = s.x1 - (s.h / 3.0) * s.v1;
     let lo = min(min(s.x0, s.x1), min(b1, b2));
     let hi = max(max(s.x0, s.x1), max(b1, b2));
     let near = all(lo <= arc.hi) && all(hi >= arc.lo);
-    // An eighth of the largest second derivative, which is linear along the arc, bounds the distance between chord and curve;
-    // it falls with the square of the number of pieces.
+    // An eighth of the largest second derivative, which is linear along the arc, bounds the distance between chord and curve; it falls with
+    // the square of the number of pieces.
     let c = s.x1 - s.x0;
     let a = s.h * s.v0 - c;
     let b = c - s.h * s.v1;
@@ -29,8 +30,8 @@ fn segment_pieces(s: Segment) -> u32 {
     return select(0u, u32(pieces), near && s.h != 0.0);
 }
 
-// How far, along each axis, the arc and its chords are from the segment's chord at the same fraction, at most: what is added to that
-// is t (1 − t) of something between a and b.
+// Returns a bound, along each axis, on the distance of the arc and its chords from the segment's chord at the same fraction: the difference
+// is t (1 − t) times a value between a and b.
 fn segment_bulge(s: Segment) -> Real3 {
     let c = s.x1 - s.x0;
     return 0.25 * max(abs(s.h * s.v0 - c), abs(c - s.h * s.v1));

@@ -1,4 +1,4 @@
-// A segment is its chord.
+// Treats a segment as its chord.
 
 fn segment_pieces(s: Segment) -> u32 {
     return 1u;

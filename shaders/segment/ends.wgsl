@@ -1,10 +1,10 @@
-// The end of a path: its last step, the place, what was seen there, and what is recorded.
+// The end of a path: its last step, its position, its color and its record.
 
 // The last step of a path's last segment.
 struct LastStep {
     phase: Phase,
     tau: Real,
-    // Its size, in the measure that retaken_step takes.
+    // Its size, in the parameter that `retaken_step` takes.
     h: Real,
     end: Phase,
     end_tau: Real,
@@ -18,17 +18,17 @@ struct PathPoint {
     fraction: Real,
 }
 
-// What a ray saw at its end.
+// The surface or sky that a ray saw at its end.
 struct Seen {
     end: PathPoint,
-    // What surfaces send back; black elsewhere.
+    // The light that surfaces send back; black elsewhere.
     color: vec3f,
     normal: vec3f,
     // The index of the object in the scene file, from 1; 0 for none.
     object: u32,
 }
 
-// What a record says of it.
+// The record of a ray's end.
 struct Recorded {
     end: PathPoint,
     // The index of the object in the scene file, from 1; 0 for none.

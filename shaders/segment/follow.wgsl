@@ -1,5 +1,5 @@
-// A segment, and the last step of a path. A segment is one accepted step; or the chord over N steps (W04 §3.2), or fewer where the path is over
-// before.
+// Follows one segment, and finds the last step of a path. A segment is one accepted step; or the chord over N steps (W04 §3.2), or over
+// fewer if the path ends before.
 
 struct Chord {
     steps: u32,
@@ -30,7 +30,7 @@ fn keep_end(next: Ray) {
     kept_end = next;
 }
 
-// Kept until the path's end is looked for in the same pass, or taken again from where its segment began.
+// Returns the last step: stored if the same pass looks for the end of the path, and otherwise retaken from the start of the segment.
 fn last_step(ray: Ray) -> LastStep {
     if KEEPS_LAST {
         return LastStep(ray.phase, ray.tau, own_size(ray, kept_end), kept_end.phase, kept_end.tau);

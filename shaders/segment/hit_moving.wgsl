@@ -1,7 +1,7 @@
-// Beside what rests some objects move. Against each the segment is held in that object's own rest, where the segment is bent by the object's
-// way as well: where both stay within the arcs' tolerance of a chord is a piece.
+// Intersects a segment with static and moving objects. For each moving object the segment is transformed to the object's rest frame, where
+// the object's motion bends it too: pieces are as short as both bends require within the tolerance of arcs.
 
-// Of the segment under way.
+// The tau of the segment under way.
 var<private> segment_tau: Real;
 
 struct MovingArcs {
@@ -17,25 +17,25 @@ fn note_segment(tau: Real) {
     segment_tau = tau;
 }
 
-// How far the segment at rest is from its chord, at most: by its own bulge, and by turning through the angle of its time.
+// Returns a bound on the distance of the segment in the rest frame from its chord: by its own bulge, and by the rotation during its time.
 fn moving_sag(own: Travel, s: Segment) -> Real {
     let angle = abs(own.turning * s.h);
     let farthest = max(length(s.x0 - own.center), length(s.x1 - own.center));
     return length(segment_bulge(s)) + angle * (0.125 * angle * farthest + 0.25 * length(s.x1 - s.x0));
 }
 
-// Does the chord from a to b come so near to a place?
+// Returns `true` if the chord from a to b comes within `reach` of a position.
 fn passes(a: Real3, b: Real3, place: Real3, reach: Real) -> bool {
     let d = b - a;
     let t = clamp(dot(place - a, d) / max(dot(d, d), 1e-30), 0.0, 1.0);
     let miss = a + t * d - place;
-    // So that what is no number does.
+    // Written so that NaN counts as within reach.
     return !(dot(miss, miss) > reach * reach);
 }
 
 fn is_near_moving(own: Travel, s: Segment) -> bool {
     let slack = 1e-5 * (length(s.x0) + length(s.x1) + own.reach);
-    // Far from all of an orbit a segment may be long, and turn through more than this knows.
+    // Far from the whole orbit a segment may be long, and turn through more than this estimate covers.
     let around = passes(s.x0, s.x1, own.center, own.reach + length(segment_bulge(s)) + slack);
     let a = resting_place(own, s.x0, segment_tau);
     let b = resting_place(own, s.x1, segment_tau + s.h);
@@ -63,7 +63,7 @@ fn first_hit(s: Segment, near: u32, pixel: vec2u) -> Hit {
             let t = moving_fraction(own.item, a, b - a);
             hit = nearer_hit(hit, select(segment_fraction(k, pieces, t), 2.0, t > 1.5), own.item);
             a = b;
-            // A piece that meets it is the last one.
+            // A piece with a hit is the last one.
             k = select(k + 1u, pieces, t <= 1.5);
         }
     }

@@ -1,5 +1,5 @@
-// What a segment meets, where nothing moves. Segments that lead through a whole region, in which nothing else is, are not walked: they end
-// on its surface.
+// Intersects a segment with a scene in which nothing moves. Segments that lead through a whole region that contains nothing else are not
+// walked: they end on its surface.
 
 fn nearby(s: Segment) -> u32 {
     if !HAS_OBJECTS {

@@ -1,5 +1,4 @@
-// What each pixel's ray hit: the primitive and the fraction of its last segment. No part of the state:
-// it is written once.
+// Stores the hit of each pixel's ray: the primitive and the fraction of its last segment. It is not part of the state: it is written once.
 
 var<storage, read_write> pixel_hit_primitive: array<u32>;
 var<storage, read_write> pixel_hit_t: array<f32>;

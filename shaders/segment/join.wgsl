@@ -1,6 +1,6 @@
-// How far before a piece's start rounding may put a hit that still counts, where paths are in pieces, one behind the other. What is behind
-// the start of a straight path, at the camera or on a surface, is not hit; nor what is behind the surface that a path or a line to a light
-// has left.
+// Computes how far before the start of a piece rounding may put a hit that still counts, if paths are in contiguous pieces. A hit before
+// the start of a straight path, at the camera or on a surface, does not count; nor does a hit behind the surface that a path or a line to a
+// light has left.
 
 fn overlap() -> Real {
     if IS_WHOLE {

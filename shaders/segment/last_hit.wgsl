@@ -1,6 +1,6 @@
-// A ray that was reflected by a flat mirror cannot meet it again in the segment that starts there, wherever rounding puts that
-// start. Between passes what it left is in the record of its hits, whose fraction is then the index of the segment that starts
-// on it.
+// Remembers the surface that a ray left: a ray reflected by a flat mirror cannot meet it again in the segment that starts there, wherever
+// rounding puts that start. Between passes the surface is in the stored hit, whose fraction is then the index of the segment that starts on
+// it.
 
 var<private> last_primitive: u32;
 

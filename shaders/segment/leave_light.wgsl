@@ -1,34 +1,34 @@
-// What a ray from a light leaves in the voxels that it passes (G95 §6, his grid of light directions): in each the length of its way there,
-// along each axis and by itself. Whole numbers, whose sums are the same in whatever order rays come.
+// Deposits the light of a ray from a light source in the voxels that it passes (G95 §6, the grid of light directions): in each voxel the
+// length of its path, by axis and in total. The numbers are integers, whose sums do not depend on the order of rays.
 
 struct LightVolume {
     lo: vec3f,
-    // A voxel's side.
+    // The side of a voxel.
     h: f32,
     count: vec3u,
-    // A brick is a voxel cut into so many along each axis; 1 while there are none.
+    // The number of parts of a brick, a subdivided voxel, along each axis; 1 while there are no bricks.
     refine: u32,
 }
 
 var<storage, read> light_volume: LightVolume;
 
-// For each voxel the number of its brick, from 1, or 0.
+// The index of each voxel's brick, from 1, or 0.
 var<storage, read> volume_bricks: array<u32>;
 
-// Four words a voxel: x, y and z as signed numbers, and the length. Those of the voxels themselves, or of the bricks.
+// Four words per voxel: x, y and z as signed numbers, and the length, for the voxels themselves or for the bricks.
 var<storage, read_write> light_sums: array<atomic<u32>>;
 
-// For each path 1 if it left light anywhere.
+// For each path 1 if it deposited light anywhere.
 var<storage, read_write> light_reaches: array<u32>;
 
 var<private> reaches: bool;
 
-// A voxel's side in these numbers.
+// The side of a voxel in these numbers.
 const LIGHT_UNIT: f32 = 1024.0;
-// How far chords are from an arc, in voxels, and how many of them there are at most.
+// The largest distance of chords from an arc, in voxels, and their largest number.
 const CHORD_OFF: Real = 0.02;
 const MOST_CHORDS: f32 = 64.0;
-// In voxels: which one a place between two lies in is asked so far further on.
+// The offset in voxels at which the voxel of a point between two voxels is determined.
 const NUDGE: f32 = 1e-3;
 
 fn light_size() -> f32 {
@@ -40,7 +40,7 @@ fn keep_reach(pixel: vec2u) {
     light_reaches[i] = select(light_reaches[i], 1u, reaches);
 }
 
-// s: a segment whose part up to the fraction `until` is passed by so much of a ray.
+// s: a segment whose part up to the fraction `until` is passed by the share `share` of a ray.
 fn leave_light(s: Segment, until: Real, share: f32) {
     if !finite(s.x0) || !finite(s.x1) {
         return;
@@ -56,7 +56,7 @@ fn leave_light(s: Segment, until: Real, share: f32) {
     }
 }
 
-// From a to b, in voxels.
+// Deposits along the chord from a to b, in voxels.
 fn leave_chord(a: vec3f, b: vec3f, share: f32) {
     let d = b - a;
     let size = length(d);
@@ -110,7 +110,7 @@ fn leave_at(index: u32, along: vec3f, size: f32) {
     atomicAdd(&light_sums[4u * index], bitcast<u32>(whole.x));
     atomicAdd(&light_sums[4u * index + 1u], bitcast<u32>(whole.y));
     atomicAdd(&light_sums[4u * index + 2u], bitcast<u32>(whole.z));
-    // Half of the numbers there are: as many as the signed ones hold.
+    // Half the range of the numbers, which is the limit of the signed ones.
     if atomicAdd(&light_sums[4u * index + 3u], n) + n > 0x7fffffffu {
         tally_at_once(LOST);
     }

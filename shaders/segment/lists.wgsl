@@ -1,6 +1,6 @@
-// Shapes of which there are few, in lists: the first that a segment meets, as the fraction of the segment; 2 where it meets none. Those that
-// are near, one after the other, each against the pieces up to the first that meets it (a processor leaves the loop at once where no ray
-// beside this one has any); or, where nothing is ruled out beforehand, each against every piece, up to the first that has a hit.
+// Intersects a segment with the shapes that are in lists because there are few of them: returns the fraction of the segment at the first
+// hit, or 2. Near shapes are tested one after the other, each against the pieces up to the first hit (on a CPU the loop ends at once if no
+// lane has one); or, if no shape is excluded beforehand, each against every piece, up to the first that has a hit.
 
 fn listed_hit(s: Segment, pieces: u32, near: u32) -> Hit {
     var hit = Hit(2.0, NOTHING);

@@ -1,5 +1,5 @@
-// The structure's items. Those of a single kind lie in memory in the structure's own order; those of several kinds, or of one that a grid
-// has in many cells, are listed.
+// Maps the items of the acceleration structure to primitives. Items of a single kind are stored in the order of the structure; items of
+// several kinds, or items that a grid has in many cells, are listed.
 
 var<storage, read> items: array<u32>;
 

@@ -1,11 +1,11 @@
-// Items of a hierarchy over meshes that are kept once: those of the scene are listed, and those of a mesh are its triangles, in their
-// own order, each as a primitive of the instance that the walk is in.
+// Maps the items of a hierarchy over mesh instances to primitives: the items of the scene are listed, and those of a mesh are its
+// triangles, in the order of the mesh, each as a primitive of the instance that the walk is in.
 
 var<storage, read> items: array<u32>;
 
 const NO_INSTANCE: u32 = 0xffffffffu;
 
-// The instance that the walk is in, and from its triangles' places to those of primitives.
+// The instance that the walk is in, and the offset from its triangles to primitives.
 var<private> instance: u32;
 var<private> instance_shift: u32;
 
@@ -20,7 +20,7 @@ fn item_at(i: u32) -> u32 {
     return items[i];
 }
 
-// A leaf that holds an instance holds nothing else.
+// Returns `true` if a leaf holds an instance: then it holds nothing else.
 fn enters_instance(first: u32) -> bool {
     return !in_instance() && items[first] >= INSTANCE;
 }
@@ -29,13 +29,13 @@ fn leave_instance() {
     instance = NO_INSTANCE;
 }
 
-// Returns the first node of its mesh.
+// Enters an instance, and returns the first node of its mesh.
 fn enter_instance(first: u32) -> u32 {
     begin_instance(items[first] & INSTANCE_INDEX);
     return instances[instance].root;
 }
 
-// A walk goes on at this place among those of all instances. Returns the node.
+// Resumes a walk at a position among the nodes of all instances, and returns the node.
 fn resume_instance(place: u32) -> u32 {
     begin_instance(instance_of(place, true));
     return instances[instance].root + place - instances[instance].places;
@@ -46,12 +46,12 @@ fn begin_instance(i: u32) {
     instance_shift = instances[i].primitives - instances[i].first;
 }
 
-// Where the nodes of its mesh end.
+// Returns the end of the nodes of the instance's mesh.
 fn instance_end() -> u32 {
     return nodes[instances[instance].root].lo_skip.w;
 }
 
-// The node behind the leaf that led into it.
+// Returns the node after the leaf that led into the instance.
 fn instance_next() -> u32 {
     return instances[instance].next;
 }
@@ -61,7 +61,7 @@ fn instance_place(node: u32) -> u32 {
     return own.places + node - own.root;
 }
 
-// In the mesh's own space. A cubic stays one in any affine map.
+// Transforms a segment to the space of the mesh. A cubic stays a cubic under an affine map.
 fn instance_segment(s: Segment) -> Segment {
     let space = instance_space(instance);
     return Segment(
@@ -73,7 +73,7 @@ fn instance_segment(s: Segment) -> Segment {
     );
 }
 
-// own: the segment in the mesh's space, whose rounding is that of all numbers that it is the sum of.
+// own: the segment in the space of the mesh, whose rounding error is the one of all terms of its sums.
 fn instance_sweep(s: Segment, own: Segment) -> Sweep {
     let space = instance_space(instance);
     let most = Real4(max(abs(s.x0), abs(s.x1)), 1.0);
@@ -81,7 +81,7 @@ fn instance_sweep(s: Segment, own: Segment) -> Sweep {
     return sweep_within(own, BOX_SLACK * sums);
 }
 
-// The fraction of the piece from a along d, both in the mesh's space, or 2.
+// Returns the fraction of the piece from a along d, both in the space of the mesh, or 2.
 fn instance_fraction(i: u32, a: Real3, d: Real3) -> Real {
     let meeting = meet_triangle(i - instance_shift, a, d);
     let met = may_cross(instances[instance].object, meeting.through) && !is_last_hit(INSTANCE | i);

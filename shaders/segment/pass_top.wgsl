@@ -1,10 +1,11 @@
-// Light that leaves a surface and is bent back to it may rise and fall within one piece, whose chord then crosses the surface where the
-// path began. Where the path rises from there it is followed over its top, so that it is met where it comes down.
+// Moves the start of a path over its highest point: light that leaves a surface and is bent back to it may rise and fall within one piece,
+// whose chord then crosses the surface where the path began. If the path rises from there, it is followed over its top, so that it is hit
+// where it comes down.
 
-// Of a step, how far it goes at first; then twice as far each time.
+// The first distance as a fraction of a step; it doubles each time.
 const RISE: Real = 1e-3;
 const RISES: u32 = 11u;
-// In parts of the numbers that its place was computed from: nearer than a path begins that left a surface for good.
+// Relative to the numbers that the position was computed from: nearer than the start of a path that left a surface for good.
 const ON_SURFACE: Real = 4e-6;
 
 fn pass_top(code: u32, hit: Hit, step: LastStep, h: ptr<function, Real>) {
@@ -13,7 +14,7 @@ fn pass_top(code: u32, hit: Hit, step: LastStep, h: ptr<function, Real>) {
     }
     let start = step.phase[0].xyz;
     let surface = hit_surface(hit.primitive, start);
-    // On which side it began; not known of what began on the surface itself.
+    // The side on which it began; unknown if it began on the surface itself.
     let side = select(surface.gap, 0.0, abs(surface.gap) < ON_SURFACE * (length(start) + surface.depth));
     var further = RISE * step.h;
     for (var i = 0u; i < RISES; i++) {

@@ -1,16 +1,16 @@
-// Where a path ends, found once per ray after all segments: on the surface, on the bounding sphere, at the horizon.
+// Finds where a path ends, once per ray after all segments: on a surface, on the bounding sphere, or at the horizon.
 
 const STOP_STEPS: u32 = 4u;
 
-// The outward normal and the signed distance of the sphere at which a ray that met nothing stops.
+// Returns the outward normal and the signed distance of the sphere at which a ray that met nothing stops.
 fn open_gap(code: u32, x: Real3) -> Real4 {
     let d = bound_offset(x);
     let r = length(d);
     return select(capture_gap(x), Real4(d / r, r - bound.radius), code == ESCAPED);
 }
 
-// The step retaken so that it ends where the ray stops, by Newton's method. The curve's own point and direction would be off
-// by up to 3e-4.
+// Retakes the step so that it ends where the ray stops, by the Newton method. The position and direction of the arc itself would be off by
+// up to 3e-4.
 fn stop_point(code: u32, hit: Hit, step: LastStep) -> PathPoint {
     var h = first_guess(code, hit, step);
     if IN_PIECES {
@@ -31,7 +31,7 @@ fn stop_point(code: u32, hit: Hit, step: LastStep) -> PathPoint {
         let steep = abs(slope) > 1e-3 * length(p[1].xyz);
         let correction = select(0.0, gap.w / (slope * own_pace(p)), steep && i < STOP_STEPS);
         h = clamp(h - correction, 0.0, step.h);
-        // Straight lines and leaps are there at once.
+        // Straight lines and leaps converge at once.
         there = abs(correction) <= LAST_PART * step.h;
     }
     if FOLLOWS_SHIFT {
@@ -42,14 +42,15 @@ fn stop_point(code: u32, hit: Hit, step: LastStep) -> PathPoint {
     return PathPoint(far[0], far[1], tau, h / max(step.h, 1e-30));
 }
 
-// Where the gap of a ray that met nothing vanishes if it is linear along the step; the step's end where it does not change its sign.
+// Returns the fraction at which the gap of a ray that met nothing vanishes if it is linear along the step; the end of the step if the gap
+// keeps its sign.
 fn secant_guess(code: u32, step: LastStep) -> Real {
     let g0 = open_gap(code, step.phase[0].xyz).w;
     let g1 = open_gap(code, step.end[0].xyz).w;
     return select(step.h, step.h * g0 / (g0 - g1), (g0 < 0.0) != (g1 < 0.0));
 }
 
-// How far along v the line from the step's start leaves the bounding sphere.
+// Returns the distance along v at which the line from the step's start leaves the bounding sphere.
 fn line_exit(p: Phase) -> Real {
     let d = bound_offset(p[0].xyz);
     let v = p[1].xyz;
@@ -59,13 +60,13 @@ fn line_exit(p: Phase) -> Real {
     return sqrt(max(bound.radius * bound.radius - dot(miss, miss), 0.0) / vv) - b;
 }
 
-// A ray that first moves inwards comes nearer before it goes: there Newton's method would run back to where it came in.
+// A ray that first moves inwards comes nearer before it leaves: there the Newton method would return to the point where it came in.
 fn open_guess(code: u32, step: LastStep) -> Real {
     let inwards = dot(bound_offset(step.phase[0].xyz), step.phase[1].xyz) < 0.0;
     return select(secant_guess(code, step), min(own_measure(step.phase, line_exit(step.phase)), step.h), code == ESCAPED && inwards);
 }
 
-// ray: the state at the start of its last segment, which is followed again, to its very end; unless the last step of a path ends there.
+// ray: the state at the start of its last segment, which is followed again to its exact end, unless the last step of a path ends there.
 fn path_end(ray: Ray, hit: Hit) -> PathPoint {
     let x = ray.phase[0].xyz;
     let v = ray.phase[1].xyz;

@@ -1,6 +1,6 @@
-// Where a path starts: the camera's ray (W04 §3.1), or the one that was given, in the law's phase space.
+// Starts a path: the camera's ray (W04 §3.1), or a given ray, in the phase space of the law.
 
-// Sets the region and the weight that the ray starts with too. A pixel that takes no ray in this round rests.
+// Also sets the region and the throughput with which the ray starts. A pixel without a ray in this round rests.
 fn path_start(pixel: vec2u) -> Ray {
     if DRAWS_WAVELENGTH {
         draw_wavelength(pixel);

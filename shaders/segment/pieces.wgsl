@@ -1,7 +1,7 @@
-// A segment as straight pieces, which share their ends exactly, so that no ray tunnels between two; and the items that a structure
-// holds, in the order that it keeps them in, against them.
+// Divides a segment into straight pieces, which share their ends exactly, so that no ray tunnels between two; and intersects them with the
+// items of an acceleration structure, in its order.
 
-// Of the bits that say what a segment is near: the structure's, and those of shapes in lists.
+// The bits that mark what a segment is near: one for the structure, the others for shapes in lists.
 const NEAR_STRUCTURE: u32 = 0x80000000u;
 const NEAR_LISTED: u32 = 0x7fffffffu;
 
@@ -15,19 +15,19 @@ fn piece_end(s: Segment, k: u32, pieces: u32) -> Real3 {
     return select(segment_point(s, Real(k + 1u) / Real(pieces)), s.x1, k + 1u == pieces);
 }
 
-// A fraction of piece k as one of its segment.
+// Converts a fraction of piece k to a fraction of its segment.
 fn segment_fraction(k: u32, pieces: u32, t: Real) -> Real {
     return min((Real(k) + clamp(t, 0.0, 1.0)) / Real(pieces), BELOW_ONE);
 }
 
-// The nearer of a hit and what is met at `t`, or missed where that is 2; of two at the same place the lesser primitive, so that
-// the order in which they are found does not matter.
+// Returns the nearer of a hit and a hit at `t`, where 2 is a miss; of two hits at the same position the lower primitive, so that the order
+// in which they are found does not matter.
 fn nearer_hit(hit: Hit, t: Real, primitive: u32) -> Hit {
     let nearer = t < hit.t || (t == hit.t && t < 2.0 && primitive < hit.primitive);
     return Hit(select(hit.t, t, nearer), select(hit.primitive, primitive, nearer));
 }
 
-// The ray's status after a segment: hits come first, except that what lies inside a horizon is not seen.
+// Returns the status of the ray after a segment: hits come first, except that nothing inside a horizon is seen.
 fn segment_status(s: Segment, tau: Real, index: u32, hit: Hit) -> u32 {
     if !HAS_OBJECTS {
         return open_status(s, tau, index);
@@ -38,21 +38,21 @@ fn segment_status(s: Segment, tau: Real, index: u32, hit: Hit) -> u32 {
     return select(HIT, CAPTURED, law_captured(segment_point(s, hit.t), s.x1 - s.x0));
 }
 
-// Where along a segment its pieces may be inside a box: from the one in which they enter to the one in which they leave.
+// The range of a segment in which its pieces may be inside a box: from the piece in which they enter to the one in which they leave.
 struct Span {
     enters: Real,
     leaves: Real,
 }
 
-// A place at a fraction of the segment is looked for this much sooner and later, in pieces: rounding may hide no hit.
+// The margin, in pieces, around a position at a fraction of the segment: rounding must not hide a hit.
 const PIECE_SLACK: Real = 1e-2;
 
-// The piece that a fraction of the segment lies in.
+// Returns the piece that contains a fraction of the segment.
 fn piece_at(t: Real, pieces: u32) -> u32 {
     return u32(clamp(t, 0.0, Real(pieces - 1u)));
 }
 
-// Some items, from `first`, against the pieces of a segment that may be near them: refinement is left to the leaves.
+// Intersects `count` items, from `first`, with the pieces of a segment that may be near them: refinement is left to the leaves.
 fn items_hit(s: Segment, pieces: u32, span: Span, first: u32, count: u32, nearest: Hit) -> Hit {
     var hit = nearest;
     let last = piece_at(span.leaves * Real(pieces) + PIECE_SLACK, pieces);

@@ -1,6 +1,6 @@
-// A segment, followed without asking on the way whether the path is over. An arc is followed as it is, and that is sure; the N steps of a chord
-// may be written out (W04 §7): none asks whether the path is over, and none is left out. Whether it may have been is
-// seen from the places in between; then the same steps are taken again, each with its test.
+// Follows a segment without testing on the way whether the path is over. An arc is always valid; the N steps of a chord may be unrolled
+// (W04 §7), without a test between them. The positions in between show whether the path may have been over; then the same steps are
+// retaken, each with its test.
 
 // A ray after all steps of a chord, and whether its path may have been over before.
 struct ChordSteps {
@@ -21,12 +21,12 @@ fn follow_quickly(ray: ptr<function, Ray>) -> Quick {
     let all = chord_steps(*ray);
     *ray = all.ray;
     let end = (*ray).phase;
-    // What is not finite stays so, and a length that is reached too.
+    // A state that is not finite stays so, and so does a length that is reached.
     let sure = !all.over && finite_phase(end) && !length_reached((*ray).tau);
     return Quick(Segment(start[0].xyz, start[1].xyz, end[0].xyz, end[1].xyz, 0.0), sure);
 }
 
-// The same segment with a test before each step. Returns what it is near.
+// Follows the same segment with a test before each step, and returns what it is near.
 fn follow_surely(start: Ray, next: ptr<function, Ray>, segment: ptr<function, Segment>, near: u32) -> u32 {
     if !WRITES_CHORDS_OUT {
         return near;

@@ -1,23 +1,23 @@
-// The state of a ray, one segment of its path, what it hit, and how it can end.
+// The state of a ray, one segment of its path, its hit, and its status codes.
 
-// A ray under way. `phase` is the point in ray phase space (W04 §3.1), in the scene's coordinates.
+// An active ray. `phase` is the point in ray phase space (W04 §3.1), in the scene's coordinates.
 struct Ray {
     phase: Phase,
-    // The path's parameter so far, and what its last digit does not hold of it.
+    // The parameter of the path so far, and the part of it below its last digit.
     tau: Real,
     rest: Real,
-    // What the control remembers from step to step.
+    // The memory of the step control.
     memory: Memory,
-    // The size of the step taken last.
+    // The size of the last step.
     taken: Real,
-    // Whole segments so far.
+    // The number of whole segments so far.
     index: u32,
     steps: u32,
     rejected: u32,
     status: u32,
 }
 
-// How fast a place moves, of a state's velocity.
+// Returns the velocity of the position, from the velocity of a state.
 fn path_velocity(v: Real3) -> Real3 {
     if BY_LENGTH {
         return normalize(v);
@@ -34,24 +34,24 @@ struct Segment {
     h: Real,
 }
 
-// A segment that was followed without asking whether the path is over.
+// A segment that was followed without testing whether the path is over.
 struct Quick {
     segment: Segment,
-    // False where the path may have been over before the segment's end.
+    // False if the path may have been over before the end of the segment.
     sure: bool,
 }
 
-// The first thing met along a segment: a fraction t in [0, 1) of it, and a primitive or NOTHING.
+// The first hit along a segment: a fraction t in [0, 1) of it, and a primitive or NOTHING.
 struct Hit {
     t: Real,
     primitive: u32,
 }
 
-// A primitive is its shape's kind in the upper four bits, and its place in that kind's list.
+// A primitive is the kind of its shape in the upper four bits, and its index in the list of that kind.
 const PRIMITIVE_INDEX: u32 = 0x0fffffffu;
 const NOTHING: u32 = 0xffffffffu;
 
-// Hits that rounding puts just outside a piece still count, so that none falls between two pieces.
+// Hits that rounding puts just outside a piece still count, so that none is lost between two pieces.
 const OVERLAP: Real = 1e-5;
 
 // Status codes.
@@ -64,36 +64,36 @@ const CAPTURED: u32 = 3u;
 const ENDED: u32 = 4u;
 // Used rays.max_segments.
 const EXHAUSTED: u32 = 5u;
-// The step fell under what moves the ray.
+// The step became too small to move the ray.
 const STALLED: u32 = 6u;
-// Not finite any more.
+// The state is not finite.
 const FAILED: u32 = 7u;
 // Never entered the bounding sphere: escaped where it started.
 const MISSED: u32 = 8u;
-// There is no ray: the picture shows nothing there.
+// There is no ray: the image is empty there.
 const OUTSIDE: u32 = 9u;
-// Would have split once more than rays.branches allows, or weighs nothing any more.
+// Would have split more often than rays.branches allows, or has a negligible throughput.
 const CUT: u32 = 10u;
-// All of its pixel's branches have been followed.
+// All branches of its pixel have been followed.
 const RESTING: u32 = 11u;
-// A walk was longer than the passes that were recorded for it: the tile is rendered again, with all that it may need.
+// A walk was longer than the passes recorded for it: the tile is rendered again, with all passes that it may need.
 const UNFINISHED: u32 = 12u;
 
-// Not a ray's end, but counted beside them: a place on a surface that no path from a light leads to.
+// Counted like a status, but not the end of a ray: a position on a surface that no path from a light reaches.
 const UNLIT: u32 = 13u;
-// Nor this: light that a voxel had no room for.
+// Also only counted: light that a voxel had no room for.
 const LOST: u32 = 14u;
-// Nor this: a stretch of a path whose filter could not be had to its tolerance, or is none: below 0, or above 1.
+// Also only counted: a stretch of a path whose absorption did not converge to the tolerance, or is invalid: below 0, or above 1.
 const UNFILTERED: u32 = 15u;
-// Nor this: a segment that needs more loop iterations than the device runs in one pass.
+// Also only counted: a segment that needs more loop iterations than the device runs in one pass.
 const OVERRUN: u32 = 16u;
 
-// Did the path end on a surface?
+// Returns `true` if the path ended on a surface.
 fn ends_on_surface(code: u32) -> bool {
     return code == HIT || code == CUT;
 }
 
-// A pixel's status in a word: the code, the slot in which the ray's state lies, and the index of its segment.
+// Packs a pixel's status into a word: the code, the slot that holds the ray's state, and the index of its segment.
 fn status_word(code: u32, slot: u32, index: u32) -> u32 {
     return code | (slot << 4u) | (index << 6u);
 }
@@ -114,7 +114,7 @@ fn finite_phase(p: Phase) -> bool {
     return finite(p[0].xyz) && finite(p[1].xyz);
 }
 
-// The ray after a step to `end`, over so much tau.
+// Returns the ray after a step to `end`, over `passed` of tau.
 fn after_step(ray: Ray, end: Phase, passed: Real) -> Ray {
     var next = later(ray, passed);
     next.phase = opaque_phase(end);
@@ -123,8 +123,9 @@ fn after_step(ray: Ray, end: Phase, passed: Real) -> Ray {
     return next;
 }
 
-// The ray after a step. Before a place where its law has no finite value tries that reach it are rejected (`lost`), however short:
-// a ray that then does not move is not stalled for want of digits, but has failed. Its place stays, its velocity is none any more.
+// Returns the ray after a step. Near a position where its law has no finite value, tries that reach it are rejected (`lost`), however
+// short: a ray that then does not move has failed, instead of being stalled for lack of digits. Its position stays, and its velocity
+// becomes not a number.
 fn failed_if(lost: bool, before: Ray, after: Ray) -> Ray {
     var next = after;
     if lost && finite_phase(before.phase) && all(next.phase[0].xyz == before.phase[0].xyz) {

@@ -1,7 +1,7 @@
-// Segments of rays under way: each until it ends, or the pass has had its number of them.
+// Follows segments of active rays: each until it ends, or until the pass has done its number of them.
 //
-// Those that nothing is near and that end no path are followed in a loop of their own, in which nothing else is done. Rays from a light leave
-// it in the voxels on their way.
+// Segments that nothing is near and that end no path are followed in a loop of their own, which does nothing else. Rays from a light
+// deposit it in the voxels on their way.
 
 fn follow_segments(spot: ActiveRay, ray: ptr<function, Ray>, end: ptr<function, Hit>, segments: ptr<function, u32>) {
     while (*ray).status == ALIVE {

@@ -1,8 +1,8 @@
-// Segments of every ray, with ended rays run along, for the comparison with masks: what runs on beside the ray that is kept is twice
-// the state. Where a ray may go on from a surface it waits there.
+// Follows segments of every ray, including ended ones, for the comparison with masks: next to the stored ray another copy of the state runs
+// on. A ray that may continue from a surface waits there.
 
 fn follow_segments(spot: ActiveRay, ray: ptr<function, Ray>, end: ptr<function, Hit>, segments: ptr<function, u32>) {
-    // What runs on: the same as long as the ray lives.
+    // The state that runs on: equal to the ray as long as that is alive.
     var path = *ray;
     while *segments < schedule.segments && spot.valid && !may_scatter((*ray).status) {
         if !has_room() {

@@ -1,5 +1,5 @@
-// Where rays stop. A segment that is one step is retaken up to a surface, the bounding sphere or what captures; hits of a chord over several
-// steps lie on the chord, as in the paper.
+// Finds where rays stop. A segment of one step is retaken up to a surface, the bounding sphere or the capture surface; hits of a chord over
+// several steps are on the chord, as in W04.
 
 fn stops_inside(code: u32) -> bool {
     if ENDS_ON_ARCS {
@@ -13,7 +13,7 @@ fn stop_gap(code: u32, hit: Hit, x: Real3) -> Real4 {
         if ends_on_surface(code) {
             let surface = hit_surface(hit.primitive, x);
             if TRAVELS {
-                // A gap closes as fast as the ray goes beside its object: of what a step's τ changes the surface goes back by its own way.
+                // The gap closes at the speed of the ray relative to the object: the motion of the surface takes its part of the step's τ.
                 let beside = dot(surface.across, met_travel) / dot(met_velocity, met_velocity);
                 return Real4(surface.across + beside * met_velocity, surface.gap);
             }

@@ -1,12 +1,13 @@
-// Aimed rays. A shadow ray assumes a straight line of sight; an aimed ray assumes nothing. At each vertex one more ray than the path's
-// own leaves in a direction that is drawn towards light, and is followed under the law like any other, off mirrors and through clear
-// objects too. What it finds up to its first vertex counts, and nothing after that. Both rays may find the same light, so that each
-// counts by the balance of the two densities where it left (Veach 1997), whatever the law does to it later: aims that miss cost time,
-// and never bias.
+// Next-event estimation under any law. A shadow ray assumes a straight line of sight; an aimed ray assumes nothing. At each vertex one ray
+// in addition to the path leaves in a direction that is drawn towards light, and is followed under the law like any other, also off mirrors
+// and through transparent objects. Light that it finds up to its first vertex counts, and nothing after that. Both rays may find the same
+// light, so that each is weighted by the balance of the two densities where it left (Veach 1997), whatever the law does to it later: rays
+// that miss cost time, but the result is unbiased.
 //
-// It flies first, in the same pixel's place; then the path goes back to the vertex for its own, which is in memory only between passes.
+// The aimed ray is followed first, in the storage of the pixel; then the path continues from the vertex. Its own ray is in memory only
+// between passes.
 
-// The path's own ray, while an aimed one flies.
+// The path's own ray, while an aimed ray is followed.
 struct Waiting {
     x: Real3,
     tau: Real,
@@ -24,7 +25,7 @@ var<storage, read_write> pixel_waiting: array<Waiting>;
 var<private> waiting: Waiting;
 
 const AIMED: u32 = 2u;
-// This use of random points.
+// The number of this use of random points.
 const AIM: u32 = 2u;
 
 fn load_waiting(pixel: vec2u) {
@@ -35,7 +36,8 @@ fn store_waiting(pixel: vec2u) {
     pixel_waiting[place_in_tile(pixel)] = waiting;
 }
 
-// Behind an aimed ray, wherever it ended, the path's own may wait: which of the two it was is not known before all that is carried.
+// Returns `true` after any aimed ray, however it ended, because the path's own ray may be waiting: which of the two rays ended is known
+// only after all of its state is loaded.
 fn may_scatter(code: u32) -> bool {
     if !AIMS {
         return code == HIT;
@@ -43,7 +45,7 @@ fn may_scatter(code: u32) -> bool {
     return code == HIT || code == ESCAPED || code == CAPTURED || code == ENDED;
 }
 
-// Behind an aimed ray, which ended as `code` says, the path's own flies.
+// Returns the path's own ray, after an aimed ray that ended with the status `code`.
 fn after_flight(leg: Leg, code: u32) -> Leg {
     if !AIMS {
         return leg;

@@ -1,24 +1,24 @@
-// Aims along the light that came: before the picture, paths from the lamps left their light in grids, one for each lamp, or for each mirror
-// and clear object that it shines on. Gröller's approximate direction (G95 §6), −F/|F|, becomes the proposal of an exact method: a von
-// Mises-Fisher lobe about it, as wide as |F|/φ says that directions differ there.
+// Path guiding: before the render, paths from the lights left their light in grids, one for each light, or for each mirror and transparent
+// object that it illuminates. Gröller's approximate direction (G95 §6), −F/|F|, becomes the proposal of an exact method: a von Mises–Fisher
+// lobe about it, with the width that |F|/φ implies for the spread of directions.
 
-// How narrow a lobe may be: what 32 bits leave of a direction does not show in it; and how wide.
+// The narrowest lobe, at which 32-bit rounding of directions does not show, and the widest.
 const NARROWEST: f32 = 2e4;
 const WIDEST: f32 = 1e-2;
-// Times as often as it is bright: a lobe hits its light more seldom than the cone about a lamp does.
+// The factor on the sampling frequency: a lobe hits its light less often than the cone around an emitter does.
 const MORE: f32 = 15.0;
 
-// Of a lobe about an axis.
+// A lobe about an axis.
 struct Guide {
     axis: vec3f,
     kappa: f32,
-    // What light comes from there.
+    // The brightness of the light from the lobe.
     brightness: f32,
-    // That, times the lobe's density along its axis.
+    // The brightness times the density of the lobe along its axis.
     peak: f32,
 }
 
-// Those of the vertex whose brightness was asked for last: each is looked up once.
+// The lobes of the vertex that was evaluated last, so that each is looked up once.
 var<private> guides: array<Guide, GUIDES>;
 
 fn guide_at(light: GridLight, vertex: PathVertex) -> Guide {
@@ -43,7 +43,7 @@ fn guide_brightness(vertex: PathVertex) -> f32 {
     return sum;
 }
 
-// The same number chooses the lobe and, stretched to what is left of it, the angle to its axis.
+// One number chooses the lobe and, rescaled, the angle to its axis.
 fn guide_way(vertex: PathVertex, total: f32, u: vec2f) -> vec3f {
     var chosen = Guide(vertex.across, WIDEST, 0.0, 0.0);
     var at = 0.0;
@@ -64,7 +64,7 @@ fn guide_density(vertex: PathVertex, total: f32, d: vec3f) -> f32 {
     var sum = 0.0;
     for (var i = 0u; i < GUIDES; i++) {
         let guide = guides[i];
-        // 1 less the cosine.
+        // One minus the cosine.
         let apart = d - guide.axis;
         sum += guide.peak * exp(-0.5 * guide.kappa * dot(apart, apart));
     }

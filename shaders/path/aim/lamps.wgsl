@@ -1,26 +1,27 @@
-// Aims at lamps: into the cone about each one's ball, as often as it is bright and near.
+// Samples emitters: directions in the cone around each emitter's bounding sphere, with a frequency that follows its brightness and
+// distance.
 
-// The ball about a lamp.
+// The bounding sphere of an emitter.
 struct Lamp {
     center: vec3f,
     radius: f32,
-    // Its radiance times its area, of all colours together.
+    // Its radiance times its area, summed over the colors.
     power: f32,
 }
 
 var<storage, read> lamps: array<Lamp>;
 
-// What of all rays that go to lamps goes to all alike, however far and faint.
+// The share of samples that is divided equally among emitters, however far and faint they are.
 const ALIKE: f32 = 0.1;
 
-// A lamp from a place: 1 less the cosine of the angle to the edge of the ball about it, and the squared sine; all directions from inside
-// of that.
+// Returns the cone of an emitter from a position: one minus the cosine of the angle to the edge of its bounding sphere, and the squared
+// sine; all directions from inside the sphere.
 fn cone(lamp: Lamp, way: vec3f) -> vec2f {
     let s = lamp.radius * lamp.radius / max(dot(way, way), 1e-30);
     return select(vec2f(2.0, 2.0), vec2f(s / (1.0 + sqrt(max(1.0 - s, 0.0))), s), s < 1.0);
 }
 
-// What a lamp gets of the rays that go to bright and near ones, before it is divided by that of all.
+// Returns an emitter's share of the samples for bright and near emitters, before normalization.
 fn brightness(lamp: Lamp, way: vec3f) -> f32 {
     return lamp.power / max(dot(way, way), lamp.radius * lamp.radius);
 }
@@ -34,12 +35,12 @@ fn lamps_brightness(vertex: PathVertex) -> f32 {
     return max(sum, 1e-30);
 }
 
-// How often a lamp is aimed at.
+// Returns the probability that an emitter is sampled.
 fn lamp_share(lamp: Lamp, way: vec3f, total: f32) -> f32 {
     return mix(brightness(lamp, way) / total, 1.0 / f32(arrayLength(&lamps)), ALIKE);
 }
 
-// The same number chooses the lamp and, stretched to what is left of it, the angle to its middle.
+// One number chooses the emitter and, rescaled, the angle to its center.
 fn lamps_way(vertex: PathVertex, total: f32, u: vec2f) -> vec3f {
     let x = vec3f(vertex.x);
     var chosen = 0u;
@@ -60,7 +61,7 @@ fn lamps_way(vertex: PathVertex, total: f32, u: vec2f) -> vec3f {
     return way_about(normalize(way), 1.0 - off, sqrt(off * (2.0 - off)), u.y);
 }
 
-// Of an aimed ray's direction, per solid angle: of all lamps that it may have been drawn for.
+// Returns the density of an aimed ray's direction, per solid angle: summed over all emitters for which it may have been drawn.
 fn lamps_density(vertex: PathVertex, total: f32, d: vec3f) -> f32 {
     let x = vec3f(vertex.x);
     var sum = 0.0;

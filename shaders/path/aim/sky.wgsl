@@ -1,16 +1,17 @@
-// Aims at the sky's picture: into the cells of a globe, as often as they are brighter than the whole sky is in the mean (Karlík et al. 2019).
-// What is even is left to the surface's own rays, which find it as well.
+// Samples the environment map: directions in the cells of a sphere, with a frequency proportional to the excess of their brightness over
+// the mean of the whole sky (Karlík et al. 2019). The uniform part is left to the surface's own rays, which find it equally well.
 
 const SKY_COLUMNS: u32 = 512u;
 const SKY_ROWS: u32 = 256u;
 
-// Sums of what cells are above the mean, over that of all. The globe lies as an equirectangular picture does.
+// Cumulative sums of the excess of cells over the mean, divided by the total. The sphere has the layout of an equirectangular environment
+// map.
 struct SkyCells {
-    // Radiance times solid angle, of all colours together.
+    // Radiance times solid angle, summed over the colors.
     total: f32,
-    // Up to the end of each row, from the top.
+    // The sums up to the end of each row, from the top.
     rows: array<f32, SKY_ROWS>,
-    // Along each row.
+    // The sums along each row.
     cells: array<f32, SKY_ROWS * SKY_COLUMNS>,
 }
 
@@ -20,7 +21,7 @@ fn sky_brightness(vertex: PathVertex) -> f32 {
     return sky_cells.total;
 }
 
-// One number chooses the row, the other the column; stretched to what is left of them, both choose the place in the cell.
+// One number chooses the row, the other the column; rescaled, both choose the point in the cell.
 fn sky_way(vertex: PathVertex, total: f32, u: vec2f) -> vec3f {
     var row = 0u;
     for (var half = SKY_ROWS / 2u; half > 0u; half /= 2u) {
@@ -38,13 +39,13 @@ fn sky_way(vertex: PathVertex, total: f32, u: vec2f) -> vec3f {
     return vec3f(sin(polar) * sin(around), cos(polar), -sin(polar) * cos(around));
 }
 
-// The sum before a row, and what the row adds.
+// Returns the sum before a row, and the row's part.
 fn sky_row(row: u32) -> vec2f {
     let before = select(0.0, sky_cells.rows[max(row, 1u) - 1u], row > 0u);
     return vec2f(before, sky_cells.rows[row] - before);
 }
 
-// The same of a cell in its row.
+// Returns the sum before a cell in its row, and the cell's part.
 fn sky_column(row: u32, column: u32) -> vec2f {
     let at = row * SKY_COLUMNS + column;
     let before = select(0.0, sky_cells.cells[max(at, 1u) - 1u], column > 0u);

@@ -1,4 +1,4 @@
-// The skies of a wormhole's two sides: a ray sees that of the mouth which it ends nearer to.
+// The skies of the two sides of a wormhole: a ray sees the sky of the mouth that its end is nearer to.
 
 var<private> is_beyond: bool;
 

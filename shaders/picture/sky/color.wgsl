@@ -1,4 +1,4 @@
-// One colour all round.
+// A sky of one color.
 
 struct Sky {
     color: vec3f,

@@ -1,4 +1,4 @@
-// An equirectangular picture at infinity, seen from inside: -z in its middle, +x to the right of that, +y at the top.
+// An equirectangular environment map at infinity, seen from inside: -z at its center, +x to the right of that, +y at the top.
 
 struct Sky {
     intensity: f32,
@@ -7,7 +7,7 @@ struct Sky {
 
 var<uniform> sky: Sky;
 
-// How far on in the picture a small step from a direction leads.
+// Returns the displacement in the map for a small step from a direction.
 fn sky_span(d: vec3f, step: vec3f) -> vec2f {
     let across = dot(d.xz, d.xz);
     let u = (d.x * step.z - d.z * step.x) / across;
@@ -22,6 +22,6 @@ fn sky_radiance(d: vec3f) -> vec3f {
     if FILTERS_IMAGES {
         note_spans(sky_span(d, footprint[0]), sky_span(d, footprint[1]));
     }
-    // The picture wraps round the poles' axis, not over the poles.
+    // The map wraps around the axis of the poles, not over the poles.
     return sky.intensity * image_sample(sky.image, vec2f(u, clamp(v, 0.5 / size.y, 1.0 - 0.5 / size.y)), true);
 }

@@ -1,8 +1,8 @@
-// Six pictures at infinity, a "sky box" (W04 §4.3): +x, -x, +y, -y, +z, -z, each upright as seen from inside (the top edge
-// of -z borders on +y).
+// A cube of six images at infinity, a "sky box" (W04 §4.3): +x, -x, +y, -y, +z, -z, each upright as seen from inside (the top edge of -z
+// borders on +y).
 
 struct Sky {
-    // The first four faces' pictures, then the last two.
+    // The images of the first four faces, then those of the last two.
     faces: vec4u,
     more_faces: vec2u,
     intensity: f32,
@@ -10,7 +10,7 @@ struct Sky {
 
 var<uniform> sky: Sky;
 
-// The face that a direction is towards, and a vector turned so that this face is ahead: right, up and ahead.
+// The face that a direction points to, and a vector in the axes of that face: right, up and ahead.
 struct SkyFace {
     face: u32,
     turned: vec3f,
@@ -28,7 +28,7 @@ fn sky_face(d: vec3f, a: vec3f) -> SkyFace {
     return SkyFace(select(sky.more_faces.y, sky.more_faces.x, d.z > 0.0), vec3f(-side.z * a.x, a.y, side.z * a.z));
 }
 
-// How far on in its picture a small step from a direction leads.
+// Returns the displacement in the image of the face for a small step from a direction.
 fn sky_span(d: vec3f, step: vec3f) -> vec2f {
     let p = sky_face(d, d).turned;
     let q = sky_face(d, step).turned;
