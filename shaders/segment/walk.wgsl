@@ -1,11 +1,11 @@
-// A segment's walk over the scene. Where it may need more loop iterations than one pass has, it stops where the room runs out. A later pass,
-// which takes the same segment again, goes on from there: what is kept is the place in the structure that is next (the walk's order is
-// fixed), and the nearest hit so far. Where no later pass does, the ray stays alive, and the host follows it by other passes.
+// Suspends and resumes the walk of a segment through the scene. If it may need more loop iterations than one pass has, it stops before they
+// run out. A later pass takes the same segment again and resumes: the next position in the structure is stored (the order of the walk is
+// fixed), and the nearest hit so far. If no later pass does, the ray stays alive, and the host follows it by other passes.
 
-// A place, counted from 1; 0 is a walk that has not begun.
+// A position, counted from 1; 0 is a walk that has not begun.
 var<storage, read_write> pixel_walk: array<u32>;
 
-// The place to go on from, counted from 1; 0 when the walk is complete.
+// The position to resume from, counted from 1; 0 when the walk is complete.
 var<private> walk_place: u32;
 
 fn walk_begin() -> u32 {
@@ -15,7 +15,7 @@ fn walk_begin() -> u32 {
     return max(walk_place, 1u) - 1u;
 }
 
-// There is room for the next place, and for all that follows the walk.
+// Returns `true` if there is room for the next position, and for everything after the walk.
 fn walk_has_room() -> bool {
     if !SUSPENDS {
         return true;
@@ -23,7 +23,7 @@ fn walk_has_room() -> bool {
     return has_room();
 }
 
-// There is room for `count` items in one place.
+// Returns `true` if there is room for `count` items in one position.
 fn walk_has_room_for(count: u32) -> bool {
     if !SUSPENDS {
         return true;
@@ -31,14 +31,14 @@ fn walk_has_room_for(count: u32) -> bool {
     return has_room_for(count);
 }
 
-// Some loop of the walk, or before it, is done by all that took it together.
+// Synchronizes the counts after a loop of the walk, or before it, that all its lanes have finished.
 fn walk_turn() {
     if SUSPENDS {
         rejoin();
     }
 }
 
-// From the beginning, as for another segment.
+// Restarts the walk, for another segment.
 fn walk_anew() {
     if SUSPENDS {
         walk_place = 0u;
@@ -71,7 +71,7 @@ fn walked_hit(s: Segment, near: u32, pixel: vec2u) -> Hit {
         walk_place = kept;
         hit = structure_hit(s, sought, hit);
         if is_spent() {
-            // What loops that were cut short came to is no place to go on from.
+            // The result of loops that were cut short is not a valid position to resume from.
             walk_anew();
         }
         if walk_place != kept {
@@ -89,7 +89,7 @@ fn walked_hit(s: Segment, near: u32, pixel: vec2u) -> Hit {
     return Hit(select(hit.t, 0.0, hit.primitive == NOTHING), hit.primitive);
 }
 
-// In the first of a segment's walks always, in the later ones only if it was suspended.
+// Returns `true` in the first walk of a segment; in later ones only if it was suspended.
 fn walk_needed(pixel: vec2u) -> bool {
     if !RESUMES {
         return true;
@@ -97,7 +97,7 @@ fn walk_needed(pixel: vec2u) -> bool {
     return dispatch.again == 0u || pixel_walk[place_in_tile(pixel)] != 0u;
 }
 
-// After all of a segment's walks.
+// Stores the state after all walks of a segment, and returns `true` if they are incomplete.
 fn walk_unfinished(pixel: vec2u) -> bool {
     if !RESUMES {
         return false;

@@ -1,14 +1,14 @@
-// Boxes, by slabs in their own space.
+// Intersects boxes, by slabs in object space.
 
 var<storage, read> boxes: array<Placed>;
 var<uniform> box_list: array<OwnSpace, BOX_COUNT>;
 
-// Of the cube itself: p and v are in its own space.
+// Returns the interval in the cube itself: p and v are in object space.
 fn box_interval(p: Real3, v: Real3) -> Interval {
     return both_inside(both_inside(slab_interval(p.x, v.x), slab_interval(p.y, v.y)), slab_interval(p.z, v.z));
 }
 
-// Of a box that is in the scene's structure: the fraction of the piece from a along d, or 2. So have all shapes one.
+// Returns the fraction at which the piece from a along d meets a box of the acceleration structure, or 2. Every shape has such a function.
 fn hit_box(own: OwnSpace, primitive: u32, a: Real3, d: Real3) -> Real {
     return first_end(box_interval(own_point(own, a), own_vector(own, d)));
 }
@@ -26,7 +26,7 @@ fn surface_box(i: u32, x: Real3) -> Surface {
     let g = scene_gradient(own_space(boxes[i]), side * axis);
     let steep = length(g);
     let n = g / steep;
-    // Each face upright and unmirrored as seen from outside.
+    // The image on each face is upright and unmirrored as seen from outside.
     var uv = Real2(side * p.z * -1.0, p.y);
     uv = select(uv, Real2(p.x, -side * p.z), axis.y > 0.0);
     uv = select(uv, Real2(side * p.x, p.y), axis.z > 0.0);
@@ -34,7 +34,7 @@ fn surface_box(i: u32, x: Real3) -> Surface {
     return Surface(gap, 1.0 / steep, n, vec3f(n), vec2f(0.5 + 0.5 * uv), boxes[i].material, boxes[i].object);
 }
 
-// Those that are crossed: behind the opaque ones in their list.
+// Boxes that rays cross: after the opaque ones in their list.
 
 var<uniform> sided_box_list: array<SidedSpace, SIDED_BOX_COUNT>;
 

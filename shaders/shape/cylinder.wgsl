@@ -1,11 +1,11 @@
-// Closed cylinders about y, mantle and both faces, in their own space.
+// Intersects closed cylinders about y, lateral surface and both caps, in object space.
 
 var<storage, read> cylinders: array<Placed>;
 var<uniform> cylinder_list: array<OwnSpace, CYLINDER_COUNT>;
 
-// Of the unit cylinder itself: p and v are in its own space.
+// Returns the interval in the unit cylinder itself: p and v are in object space.
 fn cylinder_interval(p: Real3, v: Real3) -> Interval {
-    // A piece that moves less than 1e-15 across the axis is along it: the square of its motion might be 0.
+    // A piece that moves less than 1e-15 across the axis counts as parallel to it: the square of its motion might be 0.
     let across = Real3(v.x, 0.0, v.z);
     let vv = dot(across, across);
     let along = vv < 1e-30;
@@ -25,7 +25,7 @@ fn cylinder_fraction(i: u32, a: Real3, d: Real3) -> Real {
 fn surface_cylinder(i: u32, x: Real3) -> Surface {
     let p = own_point(own_space(cylinders[i]), x);
     let rho = length(p.xz);
-    // Off the mantle, or off a face: what is farther out.
+    // The lateral surface, or a cap: whichever is farther out.
     let flat = abs(p.y) > rho;
     let side = select(Real(-1.0), Real(1.0), p.y > 0.0);
     let out = select(Real3(p.x, 0.0, p.z) / rho, Real3(0.0, side, 0.0), flat);
@@ -38,7 +38,7 @@ fn surface_cylinder(i: u32, x: Real3) -> Surface {
     return Surface(gap, 1.0 / steep, n, vec3f(n), uv, cylinders[i].material, cylinders[i].object);
 }
 
-// Those that are crossed: behind the opaque ones in their list.
+// Cylinders that rays cross: after the opaque ones in their list.
 
 var<uniform> sided_cylinder_list: array<SidedSpace, SIDED_CYLINDER_COUNT>;
 

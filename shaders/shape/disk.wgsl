@@ -1,10 +1,10 @@
-// Flat round disks, perhaps with a round hole: hole² ≤ x² + z² ≤ 1 in y = 0 of their own space.
+// Intersects flat circular disks, optionally with a circular hole: hole² ≤ x² + z² ≤ 1 in y = 0 of object space.
 
 struct DiskSpace {
     row_x: Real4,
     row_y: Real4,
     row_z: Real4,
-    // The hole's radius, in own units; 0 for none.
+    // The radius of the hole, in object space; 0 for none.
     hole: Real,
 }
 

@@ -1,4 +1,4 @@
-// Ellipsoids: spheres scaled differently along their axes, tested in their own space.
+// Intersects ellipsoids, spheres scaled differently along their axes, in object space.
 
 var<storage, read> ellipsoids: array<Placed>;
 var<uniform> ellipsoid_list: array<OwnSpace, ELLIPSOID_COUNT>;
@@ -25,7 +25,7 @@ fn surface_ellipsoid(i: u32, x: Real3) -> Surface {
     return Surface((r - 1.0) / steep, 1.0 / steep, n, vec3f(n), sphere_uv(p), ellipsoids[i].material, ellipsoids[i].object);
 }
 
-// Those that are crossed: behind the opaque ones in their list.
+// Ellipsoids that rays cross: after the opaque ones in their list.
 
 var<uniform> sided_ellipsoid_list: array<SidedSpace, SIDED_ELLIPSOID_COUNT>;
 

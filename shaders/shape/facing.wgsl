@@ -1,11 +1,11 @@
-// From which side triangles are met: those of objects that rays go on from, from the side that a ray is known to be on.
+// Selects the side from which a triangle of a reflecting or transparent object can be hit: the side that the ray is known to be on.
 
-// For each object its bit in the set of regions, or NO_BIT.
+// The bit of each object in the set of regions, or NO_BIT.
 var<storage, read> object_bits: array<u32>;
 
 const NO_BIT: u32 = 32u;
 
-// bit: that of the triangle's object. through: above 0 where a ray leaves through the triangle.
+// bit: the bit of the triangle's object. through: above 0 if a ray leaves through the triangle.
 fn may_cross(bit: u32, through: Real) -> bool {
     if !HAS_SIDED_MESH {
         return true;

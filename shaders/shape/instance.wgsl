@@ -1,25 +1,25 @@
-// Places of meshes that are kept once. A primitive is one triangle in one place: the instance's first primitive, and the triangle's
-// number among those of its mesh.
+// Instances of meshes. A primitive is one triangle of one instance: the instance's first primitive, plus the index of the triangle in the
+// mesh.
 
-// In place of a kind and an index: there are more of them than four bits leave room for.
+// Replaces a kind and an index: there are more of them than four bits leave room for.
 const INSTANCE: u32 = 0x80000000u;
 const INSTANCE_INDEX: u32 = 0x7fffffffu;
 
 struct Instance {
-    // The rows of the affine map from the scene's space to the mesh's own.
+    // The rows of the affine map from the scene's space to the mesh's space.
     row_x: Real4,
     row_y: Real4,
     row_z: Real4,
     // The first node of its mesh.
     root: u32,
-    // Its mesh's first triangle.
+    // The first triangle of its mesh.
     first: u32,
-    // The node behind the leaf that holds it.
+    // The node after the leaf that holds it.
     next: u32,
     object: u32,
-    // The triangles of all instances before it.
+    // The number of triangles of all instances before it.
     primitives: u32,
-    // Their nodes.
+    // The number of nodes of all instances before it.
     places: u32,
     material: u32,
 }
@@ -30,7 +30,7 @@ fn instance_space(i: u32) -> OwnSpace {
     return OwnSpace(instances[i].row_x, instances[i].row_y, instances[i].row_z);
 }
 
-// The last instance that begins no later than this, among primitives or among the places of a walk.
+// Returns the last instance that begins no later than `number`, among primitives or among the positions of a walk.
 fn instance_of(number: u32, of_walk: bool) -> u32 {
     let last = arrayLength(&instances) - 1u;
     var found = 0u;

@@ -1,31 +1,32 @@
-// Objects that move: round an axis at an even rate, or straight on. Each is seen where it was when light left it: a ray that has gone for τ
-// meets it at t − τ. What it is tested against is its rest, the place that it has at t = 0; there places of the ray come by undoing its way.
+// Objects in motion: rotation around an axis at a constant rate, or uniform linear motion. Each is seen where it was when light left it: a
+// ray that has traveled for τ meets it at t − τ. The ray is tested in the rest frame of the object, its position at t = 0, into which
+// positions of the ray are transformed.
 
 struct Travel {
     center: Real3,
     // dφ/dt about the axis.
     turning: Real,
     axis: Real3,
-    // How far it has turned when the picture is taken.
+    // The angle of rotation at the time of the camera.
     angle: Real,
     velocity: Real3,
-    // A primitive.
+    // The primitive that moves.
     item: u32,
-    // How far it has gone by then.
+    // The displacement at that time.
     offset: Real3,
-    // Of a ball about the centre that holds it wherever it turns, or of one about its own middle.
+    // The radius of a sphere around the center that contains the whole orbit, or of a bounding sphere of the object.
     reach: Real,
-    // That middle, at rest, and its ball's radius.
+    // The center of that bounding sphere, at rest, and its radius.
     middle: Real3,
     radius: Real,
 }
 
 var<uniform> travels: array<Travel, TRAVEL_COUNT>;
 
-// Of the place of a path that surfaces are asked for: its τ and velocity.
+// The τ and velocity of the path at the position where surfaces are evaluated.
 var<private> met_tau: Real;
 var<private> met_velocity: Real3;
-// What was asked for last moves so there, by t.
+// The velocity there, by t, of the surface that was evaluated last.
 var<private> met_travel: Real3;
 
 fn note_passage(p: Phase, tau: Real) {
@@ -33,13 +34,13 @@ fn note_passage(p: Phase, tau: Real) {
     met_velocity = path_velocity(p[1].xyz);
 }
 
-// A vector turned about the axis, by the angle's cosine and sine.
+// Returns a vector rotated about the axis, by the cosine and sine of the angle.
 fn turned(own: Travel, d: Real3, turn: Real2) -> Real3 {
     let along = dot(d, own.axis) * own.axis;
     return along + turn.y * (d - along) + turn.x * cross(own.axis, d);
 }
 
-// The sine and the cosine of how far it has turned.
+// Returns the sine and cosine of the rotation angle.
 fn travel_turn(own: Travel, tau: Real) -> Real2 {
     return real_sin_cos(own.angle - own.turning * tau);
 }
@@ -48,13 +49,13 @@ fn travel_offset(own: Travel, tau: Real) -> Real3 {
     return own.center + own.offset - tau * own.velocity;
 }
 
-// Where at rest is what is at x there.
+// Returns the position at rest of the point of the object that is at x at that time.
 fn resting_place(own: Travel, x: Real3, tau: Real) -> Real3 {
     let turn = travel_turn(own, tau);
     return own.center + turned(own, x - travel_offset(own, tau), Real2(-turn.x, turn.y));
 }
 
-// The travel of a primitive, or TRAVEL_COUNT.
+// Returns the index of a primitive's motion, or TRAVEL_COUNT.
 fn travel_of(primitive: u32) -> u32 {
     var found = TRAVEL_COUNT;
     for (var i = 0u; i < TRAVEL_COUNT; i++) {
@@ -78,7 +79,7 @@ fn hit_surface(primitive: u32, x: Real3) -> Surface {
     return surface;
 }
 
-// Of a four-velocity, but for its length: what the surface that was asked for last has of it.
+// Adds the motion of the surface that was evaluated last to a four-velocity, up to its length.
 fn add_travel(k: ptr<function, Real4>) {
     *k += Real4(met_travel, 0.0);
 }

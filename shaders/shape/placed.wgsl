@@ -1,16 +1,16 @@
-// What all shapes but meshes have in common: a place, where a line is inside, and what is known of a point on them.
+// Common parts of all shapes except meshes: the placement, the interval of a line inside, and the surface at a point.
 
-// A shape in its own space (unit sphere, cube |x|, |y|, |z| ≤ 1, cylinder x² + z² ≤ 1, |y| ≤ 1, square |x|, |z| ≤ 1, disk
-// x² + z² ≤ 1) and where that is.
+// A shape in object space (unit sphere, cube |x|, |y|, |z| ≤ 1, cylinder x² + z² ≤ 1, |y| ≤ 1, square |x|, |z| ≤ 1, disk x² + z² ≤ 1) and
+// its placement.
 //
-// What every segment is tested against lies apart, in uniform arrays of a length that is known when the program is compiled:
-// a processor loads storage lane by lane, and that alone would cost more than the test.
+// The data that every segment is tested against is separate, in uniform arrays of a length that is known at compile time: a CPU loads
+// storage lane by lane, and that alone would cost more than the test.
 struct Placed {
-    // Spheres only.
+    // The center, for spheres only.
     center: Real3,
-    // Spheres: their radius. Disks: their hole's, in own units, 0 for none.
+    // The radius of a sphere, or the radius of a disk's hole, in object space, 0 for none.
     radius: Real,
-    // The rows of the affine map from the scene's space to the shape's own.
+    // The rows of the affine map from the scene's space to object space.
     row_x: Real4,
     row_y: Real4,
     row_z: Real4,
@@ -18,16 +18,16 @@ struct Placed {
     object: u32,
 }
 
-// The map alone.
+// The affine map alone.
 struct OwnSpace {
     row_x: Real4,
     row_y: Real4,
     row_z: Real4,
 }
 
-// Of each shape's file hit_…(own, primitive, a, d) is the fraction at which the piece from a along d meets it, or 2.
+// In the file of each shape, hit_…(own, primitive, a, d) returns the fraction at which the piece from a along d meets it, or 2.
 
-// Where the line along a piece is inside a closed convex shape, in fractions of the piece. It is never inside where `enters` is
+// The range in which the line along a piece is inside a closed convex shape, in fractions of the piece. It is never inside if `enters` is
 // above `leaves`, or is not a number.
 struct Interval {
     enters: Real,
@@ -36,13 +36,13 @@ struct Interval {
 
 // A surface near a point.
 struct Surface {
-    // Signed distance of the point from it, to first order.
+    // The signed distance of the point from it, to first order.
     gap: Real,
-    // How far behind its tangent plane the shape's middle lies: gap is a difference from that.
+    // The distance of the shape's center behind the tangent plane: `gap` is a difference from that.
     depth: Real,
     // The geometric unit normal there, outward.
     across: Real3,
-    // The unit normal to shade with.
+    // The unit normal for shading.
     normal: vec3f,
     uv: vec2f,
     material: u32,
@@ -62,24 +62,24 @@ fn own_vector(p: OwnSpace, v: Real3) -> Real3 {
     return Real3(dot(p.row_x.xyz, v), dot(p.row_y.xyz, v), dot(p.row_z.xyz, v));
 }
 
-// A gradient in the shape's own space, in the scene's.
+// Converts a gradient from object space to the scene's space.
 fn scene_gradient(p: OwnSpace, g: Real3) -> Real3 {
     return g.x * p.row_x.xyz + g.y * p.row_y.xyz + g.z * p.row_z.xyz;
 }
 
-// The first end of an interval that lies on the piece, or 2.
+// Returns the first end of an interval that is on the piece, or 2.
 fn first_end(inside: Interval) -> Real {
     let t = select(inside.leaves, inside.enters, inside.enters >= -overlap());
     return select(2.0, t, inside.enters <= inside.leaves && t >= -overlap() && t <= 1.0 + OVERLAP);
 }
 
-// What two intervals share.
+// Returns the intersection of two intervals.
 fn both_inside(p: Interval, q: Interval) -> Interval {
     return Interval(max(p.enters, q.enters), min(p.leaves, q.leaves));
 }
 
-// Where the line from a along d is inside a ball of squared radius r2 about 0. inverse_dd is 1/|d|², the same for every ball.
-// The nearest point's own distance is used, for the difference b² − a c loses all digits far away.
+// Returns the range in which the line from a along d is inside a ball of squared radius r2 around 0. inverse_dd is 1/|d|², equal for every
+// ball. The distance of the nearest point is computed directly, because the difference b² − a c loses all digits far away.
 fn ball_interval(a: Real3, d: Real3, inverse_dd: Real, r2: Real) -> Interval {
     let nearest = -dot(a, d) * inverse_dd;
     let miss = a + nearest * d;
@@ -88,29 +88,29 @@ fn ball_interval(a: Real3, d: Real3, inverse_dd: Real, r2: Real) -> Interval {
     return Interval(nearest - half, nearest + half);
 }
 
-// Where a coordinate that is p at the piece's start and moves by d along it is within ±1.
+// Returns the range in which a coordinate that is p at the start of the piece and moves by d along it is within ±1.
 fn slab_interval(p: Real, d: Real) -> Interval {
-    // One that stays gets a slab that is entered at −∞ and left at +∞, or never.
+    // A constant coordinate gets a slab that is entered at −∞ and left at +∞, or never.
     let inverse = 1.0 / select(d, 1e-30, d == 0.0);
     return Interval(-p * inverse - abs(inverse), abs(inverse) - p * inverse);
 }
 
-// Round y, from the south to the north pole.
+// Returns u around y, and v from the south to the north pole.
 fn sphere_uv(p: Real3) -> vec2f {
     return vec2f(turn_round(p), f32(0.5 + arc_tangent(p.y, length(p.xz)) / PI));
 }
 
-// Once round y, from −z over −x, z and x.
+// Returns the fraction of a turn around y, from −z over −x, z and x.
 fn turn_round(p: Real3) -> f32 {
     return f32(0.5 + arc_tangent(p.x, p.z) / (2.0 * PI));
 }
 
-// Surfaces that rays go on from are met from the side that a ray is known to be on: from outside it enters, from inside it
-// leaves. A ray that was just refracted or reflected lies on the surface only up to rounding, but cannot meet it in the other
-// direction; so no distance has to be kept from it, and what rounding lets slip is mended: who is outside although the set says
-// inside leaves at once, and who is inside and moves further in enters.
+// Surfaces that reflect or transmit are met from the side that a ray is known to be on: from outside it enters, from inside it leaves. A
+// ray that was just refracted or reflected is on the surface only up to rounding, but cannot meet it in the other direction. So it needs no
+// offset, and rounding errors are corrected: a ray outside that is inside according to the set leaves at once, and a ray inside that moves
+// further in enters.
 
-// A convex shape in its own space, and the object's bit in the set of regions.
+// A convex shape in object space, and the object's bit in the set of regions.
 struct SidedSpace {
     row_x: Real4,
     row_y: Real4,
@@ -126,7 +126,7 @@ fn is_inside(bit: u32) -> bool {
     return ((inside >> bit) & 1u) == 1u;
 }
 
-// The fraction at which a piece crosses a convex surface, or 2. span: where the piece's line is inside it.
+// Returns the fraction at which a piece crosses a convex surface, or 2. span: the range in which the line of the piece is inside it.
 fn crossing(span: Interval, bit: u32) -> Real {
     let missed = span.enters > span.leaves;
     let leaves = select(max(span.leaves, 0.0), 0.0, missed);

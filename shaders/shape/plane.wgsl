@@ -1,4 +1,4 @@
-// Flat rectangles: the square |x|, |z| ≤ 1 of y = 0 in their own space.
+// Intersects flat rectangles: the square |x|, |z| ≤ 1 of y = 0 in object space.
 
 var<storage, read> planes: array<Placed>;
 var<uniform> plane_list: array<OwnSpace, PLANE_COUNT>;

@@ -1,4 +1,4 @@
-// Spheres (W04 §3.3, with the finite extent of a piece).
+// Intersects spheres (W04 §3.3, with the finite extent of a piece).
 
 struct Ball {
     center: Real3,
@@ -28,7 +28,7 @@ fn surface_sphere(i: u32, x: Real3) -> Surface {
     return Surface(r - radius, radius, d / r, vec3f(d / r), uv, spheres[i].material, spheres[i].object);
 }
 
-// Those that are crossed: behind the opaque ones in their list.
+// Spheres that rays cross: after the opaque ones in their list.
 
 struct SidedBall {
     center: Real3,

@@ -1,9 +1,9 @@
-// Triangles, always in the scene's structure.
+// Intersects triangles, which are always in the acceleration structure.
 
-// What a segment is tested against, in one place in memory.
+// The data that a segment is tested against, contiguous in memory.
 struct Corners {
     p: Real3,
-    // That of its object in the set of regions, or NO_BIT.
+    // The bit of its object in the set of regions, or NO_BIT.
     bit: u32,
     q: Real3,
     r: Real3,
@@ -11,8 +11,8 @@ struct Corners {
 
 var<storage, read> corners: array<Corners>;
 
-// What a surface is asked for, in words: of each triangle where its vertices begin, its object and that object's material; then of each
-// vertex its normal, u and v, and its color where some mesh has colors.
+// The data of surfaces, in words: for each triangle the start of its vertices, its object and that object's material; then for each vertex
+// its normal, u and v, and its color if any mesh has colors.
 var<storage, read> mesh: array<u32>;
 
 const TRIANGLE_WORDS: u32 = 5u;
@@ -30,20 +30,20 @@ fn mesh_vertex(at: u32) -> Vertex {
     return Vertex(Real3(mesh_vector(at)), Real2(bitcast<vec2f>(vec2u(mesh[at + 3u], mesh[at + 4u]))));
 }
 
-// Which side of the line along d through the origin the edge p → q passes, as a volume. Both triangles at an edge get the
-// same number with opposite signs, whatever the rounding, because it is always computed from the lesser end: so no ray
-// slips through between them (after Woop, Benthin and Wald 2013).
+// Returns the side on which the line along d through the origin passes the edge p → q, as a volume. Both triangles at an edge get the same
+// number with opposite signs, whatever the rounding, because it is always computed from the lesser end: so no ray slips through between
+// them (after Woop, Benthin and Wald 2013).
 fn edge_side(d: Real3, p: Real3, q: Real3) -> Real {
     let swapped = q.x < p.x || (q.x == p.x && (q.y < p.y || (q.y == p.y && q.z < p.z)));
     let side = dot(d, cross(select(p, q, swapped), select(q, p, swapped)));
     return select(side, -side, swapped);
 }
 
-// Where a line meets a triangle.
+// The intersection of a line with a triangle.
 struct Meeting {
     // The fraction of its piece, or 2.
     t: Real,
-    // Above 0 where it leaves through it.
+    // Above 0 if the line leaves through the triangle.
     through: Real,
 }
 
@@ -61,14 +61,14 @@ fn meet_triangle(i: u32, a: Real3, d: Real3) -> Meeting {
     return Meeting(select(2.0, t, inside && through != 0.0 && t >= -overlap() && t <= 1.0 + OVERLAP), through);
 }
 
-// The fraction of the piece from a along d, or 2.
+// Returns the fraction of the piece from a along d, or 2.
 fn triangle_fraction(i: u32, a: Real3, d: Real3) -> Real {
     let meeting = meet_triangle(i, a, d);
     let met = may_cross(corners[i].bit, meeting.through) && !is_last_hit(TRIANGLE | i);
     return select(2.0, meeting.t, met);
 }
 
-// Barycentric coordinates of a point in the triangle's plane.
+// Returns the barycentric coordinates of a point in the triangle's plane.
 fn triangle_shares(p: Real3, q: Real3, r: Real3, x: Real3) -> Real3 {
     let n = cross(q - p, r - p);
     let nn = dot(n, n);

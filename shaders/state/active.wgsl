@@ -1,26 +1,26 @@
-// Which pixel an invocation works on, and the arguments of indirect dispatches.
+// Maps invocations to pixels, and holds the arguments of indirect dispatches.
 
-// Pixels of one workgroup.
+// The number of pixels in one workgroup.
 const GROUP: u32 = 64u;
-// How many of them lie side by side. Squares end together, and long rows are read ahead: which counts for more is known of the
-// device, so that the host may set another number.
+// The width of a workgroup in pixels. Rays of a square end together, and long rows are read ahead. The better choice depends on the device,
+// so that the host may set another number.
 override GROUP_WIDTH: u32 = 8u;
 
-// Pixels that one invocation of the pass `whole` follows, one below the other: the more there are, the less what a group does once
-// costs each of them, and the fewer groups there are. The host sets another number for processors.
+// The number of pixels that one invocation of the pass `whole` follows, one below the other: with more pixels, the setup of a group costs
+// each of them less, and there are fewer groups. The host sets another number for CPUs.
 override LANE_PIXELS: u32 = 1u;
 
-// Where an invocation is in its dispatch. Not how many groups there are: naga's HLSL takes that from the driver in the entry point alone,
-// and what is handed on is the group's id.
+// The position of an invocation in its dispatch. It excludes the number of groups: naga's HLSL takes that from the driver in the entry
+// point alone, and passes the group's id on instead.
 struct Invocation {
     @builtin(workgroup_id) group: vec3u,
     @builtin(local_invocation_index) lane: u32,
 }
 
 struct Place {
-    // Always one of the tile's, so that nothing outside it is ever read.
+    // Always a pixel of the tile, so that nothing outside it is ever read.
     pixel: vec2u,
-    // Invocations past the end of the work have no pixel of their own.
+    // False for invocations past the end of the work, which have no pixel of their own.
     valid: bool,
 }
 
@@ -49,22 +49,22 @@ fn active_ray(own: Invocation) -> ActiveRay {
     return ActiveRay(spot.pixel, spot.valid, spot.valid && code == ALIVE, word, code, status_index(word));
 }
 
-// Width and height of a workgroup.
+// Returns the width and height of a workgroup.
 fn group_extent() -> vec2u {
     return vec2u(GROUP_WIDTH, GROUP / GROUP_WIDTH);
 }
 
-// Where an invocation would stand, if each had one pixel, for the k-th of several.
+// Returns the invocation of the k-th of several pixels, as if each pixel had one.
 fn lane_invocation(own: Invocation, each: u32, k: u32) -> Invocation {
     var at = own;
     at.group.y = own.group.y * each + k;
     return at;
 }
 
-// Which rays go on is told by keep_active(alive, pixel, lane) in state/active/. Every lane calls it, and it is a barrier
-// of the group: what its lanes have tallied before is complete behind it.
+// keep_active(alive, pixel, lane) in state/active/ records which rays continue. Every lane calls it, and it is a barrier of the group: the
+// tallies of its lanes are complete after it.
 
-// Of dispatches over the whole grid of pixels.
+// Returns the pixel in dispatches over the whole grid of pixels.
 fn grid_pixel(own: Invocation) -> Place {
     let pixel = own.group.xy * group_extent() + vec2u(own.lane % GROUP_WIDTH, own.lane / GROUP_WIDTH);
     let valid = all(pixel < frame.size);

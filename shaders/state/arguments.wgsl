@@ -1,18 +1,18 @@
-// What the host tells passes: of the tile, of the schedule, and of the dispatch.
+// The arguments of passes from the host: of the tile, of the schedule, and of the dispatch.
 
-// Which part of the picture the passes work on.
+// The part of the image that the passes compute.
 struct Frame {
-    // The tile's first pixel in the whole picture.
+    // The first pixel of the tile in the whole image.
     origin: vec2u,
-    // The tile's size.
+    // The size of the tile.
     size: vec2u,
-    // The whole picture's size.
+    // The size of the whole image.
     image: vec2u,
-    // Which sample of each pixel.
+    // The sample of each pixel.
     sample: u32,
-    // Which round of that sample, where surfaces split rays and each round follows one branch: 0 for the first, 1 for all others.
+    // The round of that sample, if surfaces split rays and each round follows one branch: 0 for the first, 1 for all others.
     branch: u32,
-    // 1 where the pixels that take part in this round are listed, 0 where all of the tile do.
+    // 1 if the pixels of this round are listed, 0 if they are all pixels of the tile.
     listed: u32,
     // Always 0, which no compiler knows.
     zero: u32,
@@ -20,30 +20,30 @@ struct Frame {
 
 var<uniform> frame: Frame;
 
-// A pixel's place in lists over the tile.
+// Returns the index of a pixel in lists over the tile.
 fn place_in_tile(pixel: vec2u) -> u32 {
     return pixel.y * frame.size.x + pixel.x;
 }
 
-// What the schedule fixes for all its passes.
+// The arguments that are constant for all passes of a schedule.
 struct Schedule {
     // A ray with this many segments is exhausted.
     max_segments: u32,
-    // Segments a pass, at most (fused).
+    // The largest number of segments per pass (`fused`).
     segments: u32,
 }
 
 var<uniform> schedule: Schedule;
 
-// What changes from dispatch to dispatch.
+// The arguments that change from dispatch to dispatch.
 struct Dispatch {
     // The slot of the segment's start.
     start: u32,
     // The slot of the segment's end.
     end: u32,
-    // 1 to go on with suspended walks.
+    // 1 to resume suspended walks.
     again: u32,
-    // 1 for a round's first segments: they run over what its setup ran over, whether it lives or not.
+    // 1 for the first segments of a round: they run over all pixels of its setup, whether their rays are alive or not.
     first: u32,
 }
 

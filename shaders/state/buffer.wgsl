@@ -1,5 +1,5 @@
-// The state of every pixel's ray between passes in 64 bits, which no texture holds, in buffers: one for each slot. Passes know a slot by its
-// role, as in state/texture.wgsl.
+// Stores the state of every pixel's ray between passes in 64 bits, which no texture supports, in buffers: one for each slot. Passes address
+// a slot by its role, as in state/texture.wgsl.
 
 var<storage, read> state_in: array<State>;
 var<storage, read> state_start: array<State>;

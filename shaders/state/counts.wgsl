@@ -1,4 +1,4 @@
-// Steps per ray, accepted and rejected, for the steps layer and for trace.
+// Counts the steps of each ray, accepted and rejected, for the steps layer and for `trace`.
 
 var<storage, read_write> pixel_step_count: array<u32>;
 var<storage, read_write> pixel_rejected_count: array<u32>;

@@ -1,6 +1,6 @@
-// What passes over segments leave behind: the rays, and the counts of what was done. Called by every lane of the group.
+// Stores the results of passes over segments: the rays, and the counts. Called by every lane of the group.
 
-// After steps. before: the ray as the pass found it.
+// Stores the results of steps. before: the ray at the start of the pass.
 fn finish_steps(spot: ActiveRay, before: Ray, next: Ray, lane: u32) {
     if spot.alive {
         let ray = known_ray(next);
@@ -15,7 +15,7 @@ fn finish_steps(spot: ActiveRay, before: Ray, next: Ray, lane: u32) {
     total_rejections(lane);
 }
 
-// After whole segments. end: what the ray met, where it ended on a surface.
+// Stores the results of whole segments. end: the hit of the ray, if it ended on a surface.
 fn finish_advance(spot: ActiveRay, before: Ray, ray: Ray, end: Hit, lane: u32) {
     let lives = spot.alive && ray.status == ALIVE;
     if spot.alive {

@@ -1,13 +1,13 @@
-// A ray as the state holds it, and a word of status beside it.
+// Packs a ray into the stored state, with a status word.
 
-// What a slot holds of a ray: the columns are X, V and W.
+// The content of a slot: the columns are X, V and W.
 alias State = mat3x4<Real>;
 
 fn chosen_state(a: State, b: State, second: bool) -> State {
     return State(select(a[0], b[0], second), select(a[1], b[1], second), select(a[2], b[2], second));
 }
 
-// Of two slots or three: `paper` keeps a segment's start while the other two ping-pong under its steps.
+// Returns the state in one of two or three slots: `paper` keeps the start of a segment while the other two ping-pong under its steps.
 fn slot_state(slot: u32, pixel: vec2u) -> State {
     let first = chosen_state(state_at_0(pixel), state_at_1(pixel), slot == 1u);
     if !HAS_THREE_SLOTS {
@@ -30,7 +30,7 @@ fn load_ray(pixel: vec2u, word: u32) -> Ray {
     return unpacked(load_state(pixel), word, pixel);
 }
 
-// The state of a ray at the start of its last segment, from the slot that its status names.
+// Returns the ray at the start of its last segment, from the slot that its status names.
 fn load_ended(pixel: vec2u) -> Ray {
     let word = load_status(pixel);
     return unpacked(slot_state(status_slot(word), pixel), word, pixel);
@@ -52,7 +52,7 @@ fn store_ray(pixel: vec2u, ray: Ray) {
     ));
 }
 
-// A segment between two slots of the state, for the schedules that integrate and intersect in different passes.
+// Returns a segment between two slots of the state, for the schedules that integrate and intersect in different passes.
 fn load_segment(pixel: vec2u) -> Segment {
     let start = start_state(pixel);
     let end = end_state(pixel);
@@ -69,7 +69,7 @@ fn load_start_tau(pixel: vec2u) -> Real {
     return start_state(pixel)[0].w;
 }
 
-// The size of the step that a pass took, for the pass that intersects: an arc's tangents need it, and a chord no more than its ends.
+// The size of the step that a pass took, for the pass that intersects: the tangents of an arc need it, and a chord only its ends.
 var<storage, read_write> pixel_taken: array<Real>;
 
 fn store_taken(pixel: vec2u, h: Real) {

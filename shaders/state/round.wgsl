@@ -1,5 +1,5 @@
-// Which pixels a round runs over, and which go on to the next: every one in the first, later those that pass/refine.wgsl has listed, or those
-// that have a path left, which the round before has kept by the same means as active rays. With none left a round's dispatches are all empty.
+// Selects the pixels of a round, and those of the next: every pixel in the first round, later those that pass/refine.wgsl has listed, or
+// those that have a path left, which the round before has stored like active rays. If none is left, all dispatches of a round are empty.
 
 fn round_pixel(own: Invocation) -> Place {
     if LISTS_OPEN {
@@ -10,7 +10,7 @@ fn round_pixel(own: Invocation) -> Place {
     return grid_pixel(own);
 }
 
-// Lists are run over by one invocation a pixel.
+// Lists use one invocation per pixel.
 fn lane_pixels() -> u32 {
     if LISTS_BRANCHES {
         return 1u;
@@ -21,7 +21,7 @@ fn lane_pixels() -> u32 {
     return LANE_PIXELS;
 }
 
-// Called by every lane of the group.
+// Ends a round. Called by every lane of the group.
 fn end_round(followed: bool, pixel: vec2u, lane: u32) {
     if LISTS_BRANCHES {
         keep_active(followed && branches_left(pixel), pixel, lane);

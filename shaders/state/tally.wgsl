@@ -1,17 +1,17 @@
-// Totals over all rays, summed on the device.
+// Sums totals over all rays, on the device.
 
-// An entry for every status code, and for each of the other counts.
+// The number of entries: one for every status code, and for each of the other counts.
 const STATUSES: u32 = 17u;
 
 struct Tally {
-    // Counts beyond 32 bits: the low word, and how often it has run over.
+    // Counts beyond 32 bits: the low word, and the number of its overflows.
     steps: atomic<u32>,
     steps_over: atomic<u32>,
     segments: atomic<u32>,
     segments_over: atomic<u32>,
     rejected: atomic<u32>,
     rejected_over: atomic<u32>,
-    // By status code.
+    // The counts by status code.
     statuses: array<atomic<u32>, STATUSES>,
 }
 
@@ -20,8 +20,8 @@ var<storage, read_write> tally: Tally;
 var<workgroup> group_steps: atomic<u32>;
 var<workgroup> group_segments: atomic<u32>;
 
-// Each ray's part is added up within its group first. `tally_…` is called by every lane that has something to add, `total_…` by
-// every lane, behind a barrier of the group: once for all of them it adds to the device's totals.
+// The counts of rays are first summed within their group. `tally_…` is called by every lane that has something to add, and `total_…` by
+// every lane, after a barrier of the group: it adds to the totals of the device once per group.
 fn tally_steps(n: u32) {
     atomicAdd(&group_steps, n);
 }
@@ -78,12 +78,12 @@ fn tally_statuses(code: u32, n: u32) {
     atomicAdd(&group_statuses[min(code, STATUSES - 1u)], n);
 }
 
-// What happens seldom, from any pass.
+// Adds a rare event directly, from any pass.
 fn tally_at_once(code: u32) {
     atomicAdd(&tally.statuses[code], 1u);
 }
 
-// How the rays of one lane ended: eight bits for each of the first 16 status codes, of up to 255 rays. The last one is tallied at once.
+// The status codes of one lane's rays: eight bits for each of the first 16 codes, for up to 255 rays. The last code is tallied at once.
 struct Ends {
     counts: vec4u,
 }
@@ -97,7 +97,7 @@ fn with_end(ends: Ends, code: u32) -> Ends {
     return Ends(ends.counts + select(vec4u(0u), one, vec4u(code >> 2u) == vec4u(0u, 1u, 2u, 3u)));
 }
 
-// One turn for each code that a lane has: one or two, mostly.
+// One iteration for each code that a lane has: usually one or two.
 fn tally_ends(ends: Ends) {
     var rest = ends.counts;
     while any(rest != vec4u(0u)) {

@@ -1,5 +1,5 @@
-// The path's parameter. Where paths end by it, in 32 bits, it is summed with what each sum rounds away (Knuth's two-sum): thousands of short
-// steps would each lose up to half of the sum's last digit. What is left is kept between passes in W.
+// Sums the parameter of the path. If paths end by it, in 32 bits, the rounding error of each sum is kept (Knuth's two-sum): thousands of
+// short steps would each lose up to half of the sum's last digit. The error is stored between passes in W.
 
 fn later(ray: Ray, passed: Real) -> Ray {
     var next = ray;
@@ -9,7 +9,7 @@ fn later(ray: Ray, passed: Real) -> Ray {
         let added = opaque(next.tau - ray.tau);
         next.rest = opaque((ray.tau - opaque(next.tau - added)) + (more - added));
     } else {
-        // One by one: compilers may sum up those of several steps otherwise where a program goes on otherwise.
+        // One by one: otherwise compilers may sum several steps differently in different programs.
         next.tau = opaque(ray.tau + passed);
     }
     return next;

@@ -1,7 +1,7 @@
-// The state of every pixel's ray between passes, in the textures of the 2004 paper (W04 §3.1): X = (x, τ), V = (v, h) and, where something of
-// it is kept, W = (ṫ, the last step's error, what τ's sum has rounded away, ln k). Each lies in slots that ping-pong. Passes know a slot by
-// its role: what they read and write, a segment's start and end (of which nobody asks for W), or its number. W has 32 bits always; X and V may have 16, as the
-// paper had it: eleven bits of every number, rounded whenever a pass ends. Only the `paper` schedule rounds after every step, as the paper did.
+// Stores the state of every pixel's ray between passes in textures, as Weiskopf et al. (2004) do (W04 §3.1): X = (x, τ), V = (v, h) and, if
+// any of it is needed, W = (ṫ, the last step's error, the rounding error of τ, ln k). Each has slots that ping-pong. Passes address a slot
+// by its role, as the start or end of a segment (without W), or by its number. W always has 32 bits; X and V may have 16, as in W04: eleven
+// significant bits, rounded at the end of every pass. Only the `paper` schedule rounds after every step, as W04 does.
 
 var x_in: texture_2d<f32>;
 var v_in: texture_2d<f32>;

@@ -1,20 +1,21 @@
-// The colours of black bodies, from a table: rows are even in the logarithm of the temperature.
+// The colors of black bodies, from a table whose rows are uniform in the logarithm of the temperature.
 
 struct BlackBody {
-    // In linear sRGB of luminance 1.
+    // The color in linear sRGB, with luminance 1.
     color: vec3f,
-    // The logarithm of its own.
+    // The logarithm of the black body's luminance.
     luminance: f32,
 }
 
 var<storage, read> black_bodies: array<BlackBody>;
 
-// Kelvins, of the first row and the last.
+// The temperatures, in kelvins, of the first and the last row.
 const COOLEST: f32 = 500.0;
 const HOTTEST: f32 = 1e6;
 const TEMPERATURES: u32 = 512u;
 
-// At so many kelvins, in the luminance of one at `unit` of them. Above the hottest all look alike, and are as bright as they are hot.
+// Returns the color at a temperature in kelvins, in units of the luminance at the temperature `unit`. Above the hottest row the color is
+// constant, and the luminance is proportional to the temperature.
 fn black_body_color(kelvins: f32, unit: f32) -> vec3f {
     let here = black_body_row(kelvins);
     let hotter = max(kelvins / HOTTEST, 1.0);
@@ -33,7 +34,7 @@ fn black_body_row(kelvins: f32) -> BlackBody {
     return BlackBody(mix(a.color, b.color, part), mix(a.luminance, b.luminance, part));
 }
 
-// By how much light has shifted that is seen.
+// Returns the redshift factor of the light that is seen.
 fn color_shift() -> f32 {
     if !BEAMS {
         return 1.0;

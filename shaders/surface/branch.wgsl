@@ -1,18 +1,18 @@
-// Which of two rays is followed. One of them at random, as often as its part of the light, so that every ray weighs the same; or the
-// transmitted one, for rays that are traced, which have no weight.
+// Chooses between two rays, the reflected and the transmitted one. With random splitting one of them is followed, with a probability equal
+// to its share of the light, so that every ray has equal weight; rays that are traced, without a throughput, follow the transmitted one.
 //
-// Or both, without a stack and without noise: the whole path is followed anew for every leaf of its tree. Bit k of a pixel's code
-// says which ray is taken at the k-th branching: 0 transmits, 1 reflects. Codes are taken in the order of a depth-first walk:
-// the next one differs at the last branching whose reflected ray has not been followed, so that a tree of n leaves takes n
-// rounds, whatever its depth; with all of them followed, the pixel rests.
+// With exact splitting both are followed, without a stack and without noise: the whole path is followed again for every leaf of its tree.
+// Bit k of a pixel's code selects the ray at the k-th split: 0 transmits, 1 reflects. Codes follow a depth-first walk: the next code
+// differs at the last split whose reflected ray has not been followed, so that a tree of n leaves takes n rounds, whatever its depth. After
+// the last leaf the pixel rests.
 
 struct Branching {
-    // Branchings along a path, at most.
+    // The largest number of splits along a path.
     depth: u32,
 }
 
 var<uniform> branching: Branching;
-// The code, and above MET how many branchings the path has met; the highest bit is for whoever ends paths by a branching.
+// The code, and above MET the number of splits that the path has met; the highest bit is for surfaces that end paths by a split.
 var<storage, read_write> pixel_branches: array<u32>;
 
 const MET: u32 = 24u;
@@ -41,7 +41,7 @@ fn branches_met() -> u32 {
     return extractBits(branch_code, MET, MET_BITS);
 }
 
-// The branchings of the last path whose reflected rays have not been followed.
+// Returns the splits of the last path whose reflected rays have not been followed.
 fn open_branches() -> u32 {
     return ~branch_code & low_bits(branches_met());
 }
@@ -51,7 +51,7 @@ fn branches_left(pixel: vec2u) -> bool {
     return open_branches() != 0u;
 }
 
-// False where the pixel has no path left.
+// Starts a branch, and returns `false` if the pixel has no path left.
 fn begin_branches(pixel: vec2u) -> bool {
     if !ENUMERATES {
         return true;
@@ -81,7 +81,7 @@ fn chosen_branch(pixel: vec2u, index: u32, reflectance: f32) -> Branch {
         return Branch(reflects, select(1.0 - reflectance, reflectance, reflects), false);
     }
     if FOLLOWS_PATHS {
-        // The choices at one surface lie in the upper bits.
+        // The choices at one surface are in the upper bits.
         return Branch(path_point(pixel, BRANCH + (index >> 16u)).x < reflectance, 1.0, false);
     }
     if !DRAWS {
@@ -92,8 +92,8 @@ fn chosen_branch(pixel: vec2u, index: u32, reflectance: f32) -> Branch {
     return Branch(f32(hashed(seed) >> 8u) / 16777216.0 < reflectance, 1.0, false);
 }
 
-// Is what media add here in no other branch's sum? The first of all paths that share this stretch takes it: that whose later branches all
-// transmit.
+// Returns `true` if no other branch has counted the emission of media here: the first of all paths that share this stretch does, the one
+// whose later splits all transmit.
 fn glow_is_new() -> bool {
     if !ENUMERATES {
         return true;

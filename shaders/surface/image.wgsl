@@ -1,19 +1,19 @@
-// Pictures, each alone in its texture: as they are, or averaged over what a sample sees of them, by the bilinear samples of a pyramid of
-// smaller and smaller pictures (Williams 1983), along the longer axis several (McCormack et al. 1999). Where less than a texel is seen they
-// are those of the picture itself, to the bit.
+// Samples images, each in a texture of its own, unfiltered or averaged over the footprint of a sample, by bilinear samples of a mipmap
+// pyramid (Williams 1983), several along the longer axis (McCormack et al. 1999). For footprints below a texel the result is bit-identical
+// to the unfiltered image.
 
-// Along the longer axis, at most.
+// The largest number of samples along the longer axis.
 const MOST_TAPS: f32 = 8.0;
 
-// What the next sample sees, along two axes, in parts of the picture.
+// The footprint of the next sample, along two axes, as fractions of the image.
 var<private> spans: array<vec2f, 2>;
 
 fn note_spans(a: vec2f, b: vec2f) {
     spans = array<vec2f, 2>(a, b);
 }
 
-// Below the picture lie its smaller copies side by side, each half as wide and as high as the one before. (A texture's own levels would do, but
-// with Mesa's on a processor they come out wrong where neighbouring invocations ask for several.)
+// The mipmap levels are next to each other below the image, each half as wide and as high as the one before. (The levels of the texture
+// would do, but Mesa's software driver returns wrong values if neighboring invocations ask for several.)
 fn image_size(image: u32) -> vec2u {
     let extent = image_extent(image);
     if !FILTERS_IMAGES {
@@ -22,14 +22,14 @@ fn image_size(image: u32) -> vec2u {
     return vec2u(extent.x, 2u * (extent.y / 3u) + extent.y % 3u);
 }
 
-// From the picture itself, level 0, or one of its copies.
+// Returns a sample of the image itself, level 0, or of one of its smaller copies.
 fn image_level(image: u32, level: u32, uv: vec2f, repeats: bool) -> vec3f {
     let whole = image_size(image);
     let below = vec2u(whole.x - (whole.x >> (max(level, 1u) - 1u)), whole.y);
     return image_bilinear(image, select(below, vec2u(0u), level == 0u), whole >> vec2u(level), uv, repeats);
 }
 
-// uv from the top left of the picture; outside it the picture repeats, or its edges go on.
+// uv from the top left of the image; outside it the image repeats, or its edges extend.
 fn image_sample(image: u32, uv: vec2f, repeats: bool) -> vec3f {
     let size = image_size(image);
     if !FILTERS_IMAGES {
@@ -44,7 +44,7 @@ fn image_sample(image: u32, uv: vec2f, repeats: bool) -> vec3f {
     if !(longer > 1.0) {
         return image_level(image, 0u, uv, repeats);
     }
-    // As wide as the parallelogram is across its longer side.
+    // The width of the parallelogram across its longer side.
     let wide = max(abs(a.x * b.y - a.y * b.x) / longer, 1.0);
     let taps = clamp(ceil(longer / wide), 1.0, MOST_TAPS);
     let last = f32(firstLeadingBit(min(size.x, size.y)));
@@ -60,9 +60,9 @@ fn image_sample(image: u32, uv: vec2f, repeats: bool) -> vec3f {
     return sum / taps;
 }
 
-// The bilinear sample of a rectangle of a texture, written out: the same on every device, and pictures need no samplers.
+// The bilinear sample of a rectangle of a texture, implemented here: it is equal on every device, and images need no samplers.
 
-// uv from the rectangle's top left; outside it what is in it repeats, or its edges go on.
+// uv from the top left of the rectangle; outside it the rectangle repeats, or its edges extend.
 fn image_bilinear(image: u32, corner: vec2u, size: vec2u, uv: vec2f, repeats: bool) -> vec3f {
     let p = uv * vec2f(size) - 0.5;
     let base = floor(p);

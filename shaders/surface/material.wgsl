@@ -1,39 +1,39 @@
-// What surfaces are made of: one record for all kinds, of which each kind reads its own members.
+// The material of surfaces: one record for all kinds, of which each kind reads its own members.
 
 struct Material {
-    // The color, or the first of a pattern's two.
+    // The color, or the first of a pattern's two colors.
     color: vec3f,
     kind: u32,
     second_color: vec3f,
     pattern: u32,
-    // How often a pattern repeats along u and v.
+    // The number of repetitions of a pattern along u and v.
     repeat: vec2f,
     image: u32,
-    // Of an object that light goes through: its bit in the set of regions.
+    // The bit of a transparent object in the set of regions.
     bit: u32,
     specular: vec3f,
-    // Of the highlight, or of the lobe about the mirror's direction; 0 where the surface is smooth.
+    // The exponent of the highlight, or of the lobe about the mirror direction; 0 for a smooth surface.
     exponent: f32,
     emission: vec3f,
     ambient: f32,
-    // What an emissive surface reflects of other light.
+    // The diffuse color of an emissive surface.
     diffuse: vec3f,
-    // Of what radiates by its temperature: kelvins, and the luminance.
+    // The temperature of a thermal emitter, in kelvins, and its luminance.
     temperature: f32,
     brightness: f32,
-    // The same about the refracted direction, and the width of microfacets' slopes.
+    // The exponent about the refracted direction, and the width of the distribution of microfacet slopes.
     transmit_exponent: f32,
     roughness: f32,
-    // Its place among the fans.
+    // The index in the list of ray splitters.
     fan: u32,
 }
 
-// A place on a surface as light finds it.
+// A position on a surface, for the computation of its light.
 struct Lit {
     x: vec3f,
-    // Where what reaches it comes from: off the surface, on the viewer's side.
+    // The origin of shadow rays: off the surface, on the viewer's side.
     start: Real3,
-    // Both unit vectors, the view's towards the viewer.
+    // Unit vectors; the view points towards the viewer.
     normal: vec3f,
     view: vec3f,
 }

@@ -1,20 +1,20 @@
-// Ambient occlusion (thesis 6.2): of ambient light as much reaches a place as its hemisphere is open, weighted by the cosine. One way
-// a sample, in a direction that is drawn like matte light's: along a straight line whatever the law, or along the law, which may bend what
-// a place sees of its surroundings, as fast as the ray that the place is seen by. If that is captured or meets anything no light comes
-// along it.
+// Ambient occlusion (thesis 6.2): a position receives the fraction of the ambient light for which its hemisphere is open, weighted by the
+// cosine. Each sample follows one direction, drawn like the diffuse one: along a straight line whatever the law, or along the law, which
+// may bend the view of the surroundings, with the speed of the ray that sees the position. If that ray is captured or hits anything, no
+// light comes along it.
 
 struct Ambient {
-    // How far is looked.
+    // The distance up to which objects occlude.
     distance: Real,
-    // What is left where all is closed.
+    // The fraction that remains if the hemisphere is closed.
     floor: f32,
-    // As lights have it.
+    // The treatment of transparent objects, as for lights.
     shadows: u32,
 }
 
 var<uniform> ambient: Ambient;
 
-// Random points' number of this use; others are numbers of segments.
+// The number of this use of random points; other numbers are segments.
 const OCCLUSION: u32 = 0x80000000u;
 
 var<private> shaded_pixel: vec2u;
@@ -29,7 +29,7 @@ fn open_part(lit: Lit) -> Share {
     return ambient.floor + (1.0 - ambient.floor) * open;
 }
 
-// How a ray came to the place that is seen.
+// The end of the ray that reached the position.
 var<private> arrival: PathPoint;
 
 fn note_arrival(end: PathPoint) {
@@ -51,7 +51,7 @@ fn open_share(lit: Lit, way: vec3f) -> Share {
             unfinished = true;
             break;
         }
-        // It begins where it does; its later segments lie behind one another.
+        // The first segment begins on the surface; the later ones are contiguous.
         mark_line(k == 0u);
         var next = ray;
         let s = follow_segment(&next);
@@ -65,13 +65,13 @@ fn open_share(lit: Lit, way: vec3f) -> Share {
     walk_anew();
     mark_line(false);
     enter_set(before);
-    // What ends it farther away shuts nothing out.
+    // A ray that ends farther away is not occluded.
     let ended = ray.status != ALIVE && ray.status != ESCAPED && ray.status != ENDED && passed < ambient.distance;
     unfinished = unfinished || (ended && !met && ray.status != CAPTURED);
     return select(Share(1.0), Share(0.0), met || ended);
 }
 
-// About: between the lengths of its chord and of its Bézier polygon.
+// Approximate: between the length of its chord and the length of its Bézier polygon.
 fn segment_length(s: Segment) -> Real {
     let chord = distance(s.x0, s.x1);
     let b1 = s.x0 + (s.h / 3.0) * s.v0;

@@ -1,6 +1,6 @@
-// The color of a surface by place.
+// The color of a surface as a function of position.
 
-// The same colour everywhere.
+// A uniform color.
 
 const CONSTANT: u32 = 0u;
 
@@ -8,8 +8,7 @@ fn pattern_constant(material: Material, uv: vec2f) -> vec3f {
     return material.color;
 }
 
-// Two colours in turn; averaged over what a sample sees of them where that is known: over a box with the same spread, which has a closed
-// form.
+// Two alternating colors, averaged over the footprint of a sample if it is known: over a box with equal variance, which has a closed form.
 
 const CHECKER: u32 = 1u;
 
@@ -25,12 +24,12 @@ fn pattern_checker(material: Material, uv: vec2f) -> vec3f {
     return select(material.color, material.second_color, odd);
 }
 
-// The integral of a function that is 1 and -1 in turn.
+// Returns the integral of a function that alternates between 1 and -1.
 fn alternating_sum(x: vec2f) -> vec2f {
     return 1.0 - 2.0 * abs(fract(0.5 * x) - 0.5);
 }
 
-// Its mean over a side about x. With no more than one edge in it, that edge's distance is all that counts.
+// Returns its mean over a side around x. If the side contains at most one edge, only the distance of that edge counts.
 fn alternating_mean(x: vec2f, side: vec2f) -> vec2f {
     let own = select(vec2f(1.0), vec2f(-1.0), fract(0.5 * floor(x)) > vec2f(0.25));
     let beside = min(2.0 * abs(x - round(x)), side) / max(side, vec2f(1e-30));
@@ -38,7 +37,7 @@ fn alternating_mean(x: vec2f, side: vec2f) -> vec2f {
     return select(select(own * beside, own, side == vec2f(0.0)), over, side > vec2f(1.0));
 }
 
-// A picture, repeated.
+// A repeated image.
 
 const IMAGE: u32 = 2u;
 

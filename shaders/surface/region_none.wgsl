@@ -1,4 +1,4 @@
-// All space is one region, with one medium if it has any.
+// Treats all space as one region, with one medium if it has any.
 
 const place: u32 = 0u;
 

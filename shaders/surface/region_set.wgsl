@@ -1,17 +1,17 @@
-// Regions: which media a ray is in. It carries the set of the objects that light goes through and that it is inside of, as bits in
-// the order of their priority: the medium around it is that of the lowest bit. Closed mirrors have bits too, behind all
-// others, for a ray to know from which side it meets them. The set changes only where a ray crosses a surface.
+// Tracks the media that a ray is in. The ray carries the set of the transparent objects that it is inside of, as bits in the order of their
+// priority: the medium around it is that of the lowest bit. Closed mirrors also have bits, after all others, so that a ray knows from which
+// side it meets them. The set changes only where a ray crosses a surface.
 
 struct Region {
-    // Elements of a uniform array lie 16 bytes apart.
+    // Elements of a uniform array are 16 bytes apart.
     @align(16) kind: u32,
-    // Which medium of that kind.
+    // The index of the medium among those of its kind.
     place: u32,
-    // The object's own primitive; NOTHING for meshes.
+    // The primitive of the object; NOTHING for meshes.
     primitive: u32,
-    // 1 where a camera's rays start inside of a mesh.
+    // 1 if the camera's rays start inside a mesh.
     start: u32,
-    // The sphere on which a leap through the region ends.
+    // The radius of the sphere on which a leap through the region ends.
     radius: Real,
 }
 
@@ -19,15 +19,15 @@ var<uniform> regions: array<Region, REGION_COUNT>;
 var<storage, read_write> pixel_inside: array<u32>;
 
 var<private> inside: u32;
-// The kind of region, which says how rays move and what the index is.
+// The kind of region, which determines the motion of rays and the index.
 var<private> region: u32;
-// Which medium of that kind.
+// The index of the medium among those of its kind.
 var<private> place: u32;
 
-// Of the space outside of everything.
+// The space outside all objects.
 const EMPTY_SPACE: Region = Region(0u, 0u, NOTHING, 0u, 0.0);
 
-// The object whose medium a ray is in, if it is in one.
+// Returns the object whose medium a ray is in, if any.
 fn medium_object() -> u32 {
     return firstTrailingBit(inside & MEDIA_MASK);
 }
@@ -77,10 +77,10 @@ fn start_region(x: Real3, v: Real3, pixel: vec2u) {
     enter_set(bits);
 }
 
-// For each given ray the meshes that it starts in, as bits of the set of regions.
+// The meshes that each given ray starts in, as bits of the set of regions.
 var<storage, read> given_sets: array<u32>;
 
-// A camera's rays all start inside of a mesh, or all outside; given rays each inside of other meshes.
+// The rays of a camera all start inside a mesh, or all outside; given rays may each be inside other meshes.
 fn starts_inside(region_bit: u32, pixel: vec2u) -> bool {
     if !IS_GIVEN {
         return regions[region_bit].start == 1u;

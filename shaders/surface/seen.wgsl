@@ -1,4 +1,4 @@
-// The surface that a ray hit, and the light it sends back. Normals face the viewer.
+// Computes the light from the surface that a ray hit. Normals face the viewer.
 
 fn seen_at(ray: Ray, hit: Hit) -> Seen {
     let end = path_end(ray, hit);
@@ -11,7 +11,7 @@ fn seen_at(ray: Ray, hit: Hit) -> Seen {
     let surface = hit_surface(hit.primitive, end.x);
     let view = vec3f(-normalize(end.v));
     let across = vec3f(surface.across);
-    // Which side is seen is for the geometric normal to say; whether a mesh's triangles wind with its normals is not certain.
+    // The geometric normal determines the visible side, because the winding of a mesh's triangles may not agree with its normals.
     let seen_side = dot(across, view) * dot(across, surface.normal);
     let normal = select(-surface.normal, surface.normal, seen_side >= 0.0);
     let material = materials[surface.material];
@@ -29,7 +29,7 @@ fn seen_at(ray: Ray, hit: Hit) -> Seen {
     return Seen(end, color, normal, surface.object + 1u);
 }
 
-// Where the ray ended, and which object it hit.
+// Returns the position where the ray ended, and the object that it hit.
 fn recorded_at(ray: Ray, hit: Hit) -> Recorded {
     let end = path_end(ray, hit);
     if !HAS_OBJECTS {

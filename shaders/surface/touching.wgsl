@@ -1,27 +1,26 @@
-// Surfaces that lie on each other are met as one: light goes from the medium before all of them to the medium behind all of them,
-// and what is opaque ends or reflects it. A ray meets one of them first by rounding alone; which others are there is asked of the
-// point where it does.
+// Treats surfaces that touch each other as one: light passes from the medium before all of them to the medium behind all of them, and an
+// opaque one ends or reflects it. Which of them a ray hits first depends on rounding alone; the others are found at the position of that
+// hit.
 
-// An object that touches another: first those that are opaque, then those that light goes through.
+// An object that touches another: first the opaque ones, then the transparent ones.
 struct Touching {
-    // Elements of a uniform array lie 16 bytes apart.
+    // Elements of a uniform array are 16 bytes apart.
     @align(16) primitive: u32,
-    // The object as a set of its own, where light goes through it.
+    // The object as a set with one bit, if it is transparent.
     bits: u32,
 }
 
 var<uniform> touching: array<Touching, TOUCHING_COUNT>;
 
-// Surfaces are together that are no further apart than this part of the sizes from which their gaps are computed. In 32 bits each
-// gap is wrong by up to fifteen roundings (of the place, the rows and the sum), and 2e-6 are thirty; in 64 bits it is for scenes
-// in which numbers are written with a few digits, and such a gap is none to light.
+// The distance, relative to the sizes from which gaps are computed, up to which surfaces touch. In 32 bits each gap is wrong by up to
+// fifteen roundings (of the position, the rows and the sum), and 2e-6 is thirty; in 64 bits it serves scenes whose numbers are written with
+// a few digits, and such a gap does not exist for light.
 const TOGETHER: Real = 2e-6;
 
-// Surfaces with a larger angle between them cross, and are together in a strip no wider than some twenty such gaps.
+// Surfaces with a larger angle between them cross, and touch in a strip of a width of at most about twenty such gaps.
 const PARALLEL: Real = 0.999;
 
-// The cosine between the normals where both surfaces are together in x, else 0. What x itself is off by, after a long way, is the
-// same for both.
+// Returns the cosine between the normals if both surfaces touch at x, else 0. The error of x itself, after a long path, is equal for both.
 fn alignment(a: Surface, b: Surface, x: Real3) -> Real {
     let cosine = dot(a.across, b.across);
     let apart = abs(b.gap - sign(cosine) * a.gap);
@@ -29,7 +28,7 @@ fn alignment(a: Surface, b: Surface, x: Real3) -> Real {
     return select(0.0, cosine, together && abs(cosine) >= PARALLEL);
 }
 
-// The surface at x, where `met` was met: of those that are together there, the opaque one, which `met` then names.
+// Returns the surface at x, where `met` was hit: of those that touch there the opaque one, which is then stored in `met`.
 fn met_surface(met: ptr<function, Hit>, x: Real3) -> Surface {
     if !TOUCHES {
         return hit_surface((*met).primitive, x);
@@ -46,8 +45,8 @@ fn met_surface(met: ptr<function, Hit>, x: Real3) -> Surface {
     return hit_surface((*met).primitive, x);
 }
 
-// The set of a ray once it is through the surface at x, that of the object `own`: a ray that leaves this one goes along its normal,
-// leaves what has the same normal, and enters what has the opposite one.
+// Returns the set of a ray after it has passed the surface at x, that of the object `own`: a ray that leaves this surface moves along its
+// normal, leaves objects with the same normal, and enters objects with the opposite one.
 fn set_beyond(own: u32, surface: Surface, x: Real3) -> u32 {
     if !TOUCHES {
         return inside ^ own;

@@ -1,12 +1,12 @@
-// Vertex colors, interpolated by barycentric coordinates over the triangle whose surface was asked for last.
+// Vertex colors, interpolated by barycentric coordinates over the triangle whose surface was evaluated last.
 
-// Set in a material's pattern: the pattern is multiplied by vertex colors.
+// A flag of a material's pattern: the pattern is multiplied by vertex colors.
 const VERTEX_COLORS: u32 = 0x80000000u;
 
-// Behind a vertex's normal and its u and v.
+// After a vertex's normal and its u and v.
 const COLOR_WORD: u32 = 5u;
 
-// Where the triangle's vertices begin, and the point's barycentric coordinates.
+// The start of the triangle's vertices, and the point's barycentric coordinates.
 var<private> colored_corners: vec3u;
 var<private> colored_share: vec3f;
 
@@ -16,7 +16,7 @@ fn note_corners(triangle: u32, share: Real3) {
     colored_share = vec3f(share);
 }
 
-// Linear.
+// Returns the vertex color, linear.
 fn vertex_color() -> vec3f {
     return colored_share.x * mesh_vector(colored_corners.x)
         + colored_share.y * mesh_vector(colored_corners.y)

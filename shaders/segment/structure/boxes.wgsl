@@ -1,10 +1,11 @@
-// Nodes of a hierarchy of boxes, and a segment as they see it.
+// The nodes of a hierarchy of boxes, and a segment prepared for tests against boxes.
 
-// Two reads of four words, which a processor makes lane by lane, each at nearly the price of one word. Boxes are of 32 bits in any program.
+// A node: two reads of four words, because a CPU reads lane by lane, and four words cost little more than one. Boxes have 32 bits in any
+// program.
 struct Node {
-    // The lower corner's bits, and the node after this one's whole subtree.
+    // The bits of the lower corner, and the node after the node's subtree.
     lo_skip: vec4u,
-    // The upper corner's bits, and 0 inside the tree; in a leaf the number of items in the upper four bits, the first of them in the
+    // The upper corner's bits, and 0 inside the tree; in a leaf the number of items in the upper four bits, and the first item in the
     // others.
     hi_leaf: vec4u,
 }
@@ -14,15 +15,15 @@ var<storage, read> nodes: array<Node>;
 const LEAF_FIRST: u32 = 0x0fffffffu;
 const LEAF_SHIFT: u32 = 28u;
 
-// What rounding may hide, as a part of a coordinate. The host has grown all boxes by as much of their own.
+// The effect of rounding, relative to a coordinate. The host has grown all boxes by this fraction of their own coordinates.
 const BOX_SLACK: Real = 2e-6;
 
-// A segment's chord, as boxes see it.
+// The chord of a segment, for tests against boxes.
 struct Sweep {
-    // Its start, moved up and down each axis by the bulge and by what rounding may hide.
+    // Its start, moved up and down each axis by the bulge and by the effect of rounding.
     high: Real3,
     low: Real3,
-    // One over its extent.
+    // The inverse of its extent.
     inverse: Real3,
 }
 
@@ -30,7 +31,7 @@ fn segment_sweep(s: Segment) -> Sweep {
     return sweep_within(s, BOX_SLACK * abs(s.x0));
 }
 
-// With so much for rounding.
+// Returns the sweep of a segment with the margin `slack` for rounding.
 fn sweep_within(s: Segment, slack: Real3) -> Sweep {
     let d = s.x1 - s.x0;
     let inverse = 1.0 / select(d, Real3(1e-30), abs(d) < Real3(1e-30));
@@ -42,7 +43,7 @@ fn corner(bits: vec4u) -> Real3 {
     return Real3(bitcast<vec3f>(bits.xyz));
 }
 
-// Where the chord is inside the box, up to `limit`.
+// Returns the range in which the chord is inside the box, up to `limit`.
 fn box_span(lo: Real3, hi: Real3, sweep: Sweep, limit: Real) -> Span {
     let t0 = (lo - sweep.high) * sweep.inverse;
     let t1 = (hi - sweep.low) * sweep.inverse;
@@ -55,16 +56,17 @@ fn box_span(lo: Real3, hi: Real3, sweep: Sweep, limit: Real) -> Span {
 
 // A leaf whose box is met.
 struct Leaf {
-    // Where, along the segment.
+    // The range along the segment.
     span: Span,
-    // Its items.
+    // The items of the leaf.
     first: u32,
     count: u32,
-    // The node to go on with.
+    // The node at which the walk continues.
     next: u32,
 }
 
-// The next leaf from a node on, before `end`, that is met up to `limit`; without items if there is none, or no more room.
+// Returns the next leaf from a node on, before `end`, that is met up to `limit`; without items if there is none, or no room for more loop
+// iterations.
 fn next_leaf(begin: u32, end: u32, sweep: Sweep, limit: Real) -> Leaf {
     var node = begin;
     var span = Span(0.0, 0.0);

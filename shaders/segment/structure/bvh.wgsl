@@ -1,15 +1,15 @@
-// A bounding volume hierarchy over curved arcs: nodes in depth-first order, each with the node to go on with when it is missed, so
-// that the walk needs no stack and may stop and go on anywhere.
+// A bounding volume hierarchy over curved arcs. Nodes are in depth-first order, each with the node to continue with when it is missed, so
+// that the walk needs no stack and can be suspended anywhere.
 //
-// A segment is walked once, as its chord, however many pieces it has: all of them stay, at each fraction, within the segment's
-// bulge of the chord, so that a box grown by the bulge is met by the chord, at that fraction, where the box is met by the arc.
+// A segment is walked once, as its chord, however many pieces it has: all pieces are, at each fraction, within the segment's bulge of the
+// chord, so that the chord meets the box grown by the bulge at each fraction where the arc meets the box.
 
 fn structure_hit(s: Segment, pieces: u32, nearest: Hit) -> Hit {
     var hit = nearest;
     let sweep = segment_sweep(s);
     let count = arrayLength(&nodes);
     var node = select(count, walk_begin(), pieces > 0u);
-    // In turns: every ray to its next leaf, then all of them through their items, for neighbours run side by side.
+    // In turns: every ray to its next leaf, then all of them through their items, because neighboring lanes run together.
     while node < count && walk_has_room() {
         let leaf = next_leaf(node, count, sweep, hit.t);
         node = leaf.next;

@@ -1,6 +1,6 @@
-// As bvh.wgsl, over meshes that are kept once. The nodes over all that the scene shows come first, behind them those of each mesh, in
-// the mesh's own space. A leaf of the first that holds an instance leads into its mesh, and the walk goes on behind that leaf where the
-// mesh's nodes end: there is no stack here either. A place of the walk is a node of the first, or behind them one of an instance's.
+// A bounding volume hierarchy as in bvh.wgsl, over mesh instances. The nodes of the scene come first, then the nodes of each mesh, in the
+// mesh's space. A scene leaf that holds an instance leads into its mesh, and the walk continues after that leaf at the end of the mesh's
+// nodes: there is no stack here either. A position of the walk is a scene node, or, in the numbers after them, a node of an instance.
 
 fn structure_hit(s: Segment, pieces: u32, nearest: Hit) -> Hit {
     var hit = nearest;

@@ -1,25 +1,25 @@
-// A uniform grid of cells, each with the items whose boxes overlap it, walked from cell to cell along each piece of a segment
-// (Amanatides and Woo 1987; G95 §4 walks his arcs so). His warm start, to begin where the segment before ended, costs nothing
-// here: the cell that a piece begins in is found by three divisions.
+// A uniform grid of cells, each with the items whose boxes overlap it, walked from cell to cell along each piece of a segment (Amanatides
+// and Woo 1987; G95 §4 walks arcs in this way). The warm start of G95, at the cell where the segment before ended, is unnecessary here:
+// three divisions find the first cell of a piece.
 
 struct GridSpace {
     lo: Real3,
     hi: Real3,
     // The size of a cell.
     cell: Real3,
-    // Cells along each axis.
+    // The number of cells along each axis.
     count: vec3u,
 }
 
 var<uniform> grid_space: GridSpace;
-// Where the items of each cell begin, and behind the last cell where they end.
+// The start of each cell's items, and after the last cell their end.
 var<storage, read> cells: array<u32>;
 
-// A walk that stops is at a piece, in the upper five bits, and a cell, counted from 1.
+// A suspended walk stores a piece, in the upper five bits, and a cell, counted from 1.
 const CELL_BITS: u32 = 27u;
 const CELL_MASK: u32 = 0x07ffffffu;
 
-// The cell that a place lies in, or is nearest to.
+// Returns the cell that contains a position, or the nearest one.
 fn cell_at(x: Real3) -> vec3u {
     let limit = Real3(grid_space.count - 1u);
     return vec3u(clamp(floor((x - grid_space.lo) / grid_space.cell), Real3(0.0), limit));
@@ -34,7 +34,7 @@ fn cell_of(index: u32) -> vec3u {
     return vec3u(index % grid_space.count.x, row % grid_space.count.y, row / grid_space.count.y);
 }
 
-// The fractions of the piece from a, with 1/d given, at which it enters and leaves the grid.
+// Returns the fractions at which the piece from a, with 1/d given, enters and leaves the grid.
 fn grid_span(a: Real3, inverse: Real3) -> Span {
     let t0 = (grid_space.lo - a) * inverse;
     let t1 = (grid_space.hi - a) * inverse;
@@ -46,7 +46,7 @@ fn grid_span(a: Real3, inverse: Real3) -> Span {
     );
 }
 
-// The fraction at which the piece leaves a cell along each axis.
+// Returns the fraction at which the piece leaves a cell along each axis.
 fn cell_exits(cell: vec3u, a: Real3, inverse: Real3) -> Real3 {
     let ahead = select(cell, cell + 1u, inverse > Real3(0.0));
     return (grid_space.lo + Real3(ahead) * grid_space.cell - a) * inverse;
@@ -84,7 +84,7 @@ fn structure_hit(s: Segment, pieces: u32, nearest: Hit) -> Hit {
             let exits = cell_exits(cell, a, inverse);
             let leaves = min(exits.x, min(exits.y, exits.z));
             let axis = select(select(vec3u(0u, 0u, 1u), vec3u(0u, 1u, 0u), exits.y == leaves), vec3u(1u, 0u, 0u), exits.x == leaves);
-            // Below 0 wraps round, to beyond the last.
+            // A number below 0 wraps around to beyond the last cell.
             cell = select(cell - axis, cell + axis, inverse > Real3(0.0));
             walking = leaves <= 1.0 + OVERLAP && all(cell < grid_space.count)
                 && Real(k) + leaves <= hit.t * Real(pieces) + PIECE_SLACK;

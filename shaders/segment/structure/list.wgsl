@@ -1,4 +1,4 @@
-// No structure: every item against every piece of every segment, as many as a pass may take (the crossbar of W04 §5.4).
+// No acceleration structure: intersects every item with every piece of every segment, up to the limit of a pass (the crossbar of W04 §5.4).
 
 fn structure_hit(s: Segment, pieces: u32, nearest: Hit) -> Hit {
     var hit = nearest;

@@ -1,5 +1,5 @@
-// Every pixel whose ray still lives (W04 §4.1's mask), over the whole grid of pixels, and passes stop when none lives; or every pixel in every
-// pass, ended or not: the 2004 paper without its early termination (masks off).
+// Runs passes over the whole grid of pixels, for every pixel whose ray is alive (the mask of W04 §4.1), until none is alive; or for every
+// pixel in every pass, ended or not: W04 without its early termination (masks off).
 
 var<storage, read_write> active_out: ActiveList;
 
@@ -16,7 +16,7 @@ fn ray_wanted(code: u32) -> bool {
     return code == ALIVE;
 }
 
-// The next segment's passes run over the whole grid if one ray lives, else over nothing.
+// The passes of the next segment run over the whole grid if one ray is alive, else over nothing.
 fn keep_active(alive: bool, pixel: vec2u, lane: u32) {
     if SKIPS_ENDED {
         if alive {

@@ -1,6 +1,6 @@
-// A list of the active rays' pixels (compaction): passes run over it by indirect dispatch, so that ended rays cost nothing. Each
-// group counts its own active rays and takes room for all of them at once; the leader raises the next pass's group count. A round's
-// first segments need no list: nearly all of its rays live.
+// Compacts the active rays to a list of pixels: passes run over it by indirect dispatch, so that ended rays cost nothing. Each group counts
+// its active rays and reserves room for all of them at once; the leader raises the next pass's group count. The first segments of a round
+// need no list: nearly all of its rays are alive.
 
 struct ActiveRead {
     x: u32,
@@ -14,7 +14,7 @@ var<storage, read_write> active_out: ActiveList;
 var<storage, read> list_in: array<u32>;
 var<storage, read_write> list_out: array<u32>;
 
-// Groups in one row of a dispatch that has several: under WebGPU's limit for any number of pixels.
+// The number of groups in one row of a dispatch with several rows: below the limit of WebGPU for any number of pixels.
 const ROW: u32 = 32768u;
 
 var<workgroup> group_active: atomic<u32>;

@@ -1,9 +1,9 @@
-// Lights far away.
+// Directional lights, at infinity.
 
 struct DirectionalLight {
-    // The unit vector that the light travels along.
+    // The unit vector along which the light travels.
     direction: vec3f,
-    // 1 where it casts shadows.
+    // 1 if it casts shadows.
     shadows: u32,
     color: vec3f,
 }
@@ -21,7 +21,7 @@ fn lit_by_directional(material: Material, color: vec3f, lit: Lit) -> vec3f {
     return sum;
 }
 
-// To the bounding sphere, beyond which nothing is.
+// Returns the vector to the bounding sphere, beyond which there is nothing.
 fn way_out(start: Real3, to_light: vec3f) -> Real3 {
     let d = Real3(to_light);
     let b = dot(start - bound.center, d);

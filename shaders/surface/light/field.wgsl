@@ -1,32 +1,32 @@
-// The voxels of a light's grid (G95 §6), and what lies in them. In each lies the light vector F, the sum of what every path through it
-// carries, along the path.
+// The voxels of a light's grid (G95 §6). Each stores the light vector F, the sum over all paths through it of the light that they carry,
+// along the path.
 
 struct GridLight {
     lo: vec3f,
-    // A voxel's side.
+    // The side of a voxel.
     h: f32,
     count: vec3u,
-    // A brick is a voxel cut into so many along each axis.
+    // The number of parts of a brick, a subdivided voxel, along each axis.
     refine: u32,
     color: vec3f,
-    // 1 where it is as bright as its paths are many, 0 as bright wherever one comes.
+    // 1 if its brightness is proportional to the number of its paths, 0 if it is equal wherever a path comes.
     falls: u32,
-    // Where its voxels begin in light_bricks and in light_field; its bricks follow them there.
+    // The start of its voxels in light_bricks and in light_field; its bricks follow them there.
     first_brick: u32,
     first: u32,
-    // Where it is.
+    // The position of the light.
     position: vec3f,
 }
 
 var<storage, read> grid_lights: array<GridLight>;
 
-// For each voxel the number of its brick, from 1, or 0.
+// The index of each voxel's brick, from 1, or 0.
 var<storage, read> light_bricks: array<u32>;
 
-// F and the fluence, the sum of the same without directions: for light of intensity 1, or of irradiance 1 if it comes from far away.
+// F and the fluence, the sum without directions: for light of intensity 1, or of irradiance 1 if it comes from infinity.
 var<storage, read> light_field: array<vec4f>;
 
-// In voxels: where light is looked for, off the surface, so that none of the voxels asked is mostly behind it.
+// The distance from the surface, in voxels, at which light is looked up, so that none of the voxels read is mostly behind the surface.
 const LIGHT_OFF: f32 = 0.9;
 
 fn light_brick_at(light: GridLight, x: vec3f) -> u32 {
@@ -34,7 +34,8 @@ fn light_brick_at(light: GridLight, x: vec3f) -> u32 {
     return light_bricks[light.first_brick + (voxel.z * light.count.y + voxel.y) * light.count.x + voxel.x];
 }
 
-// Of a point, counted in voxels, in the light's field: in the part of the brick about it, or in all of its voxel if that is 0.
+// Returns the index in light_field of a point in units of voxels: in the part of the brick that contains it, or in its whole voxel if
+// `brick` is 0.
 fn light_place(light: GridLight, x: vec3f, brick: u32) -> u32 {
     let place = clamp(x, vec3f(0.0), vec3f(light.count) - 1e-3);
     let voxel = vec3u(place);
@@ -45,7 +46,7 @@ fn light_place(light: GridLight, x: vec3f, brick: u32) -> u32 {
     return light.first + select(all + (brick - 1u) * n * n * n + (part.z * n + part.y) * n + part.x, own, brick == 0u);
 }
 
-// What lies in a part of a voxel, each cut into `cut` along each axis, or in all of it where it is no brick.
+// Returns the content of a part of a voxel, divided into `cut` along each axis, or of all of it if it has no brick.
 fn light_in(light: GridLight, part: vec3f, cut: f32) -> vec4f {
     let place = clamp((part + 0.5) / cut, vec3f(0.0), vec3f(light.count) - 1e-3);
     let voxel = vec3u(place);

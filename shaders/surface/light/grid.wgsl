@@ -1,4 +1,4 @@
-// Lights whose light was left in voxels on its way (G95 §6, his grid of light directions): what a surface receives of all paths is −F·n, as
+// Lights whose light was deposited in voxels on its way (G95 §6, the grid of light directions): a surface receives −F·n from all paths, as
 // long as all come from its front.
 
 fn lit_by_grid(material: Material, color: vec3f, lit: Lit) -> vec3f {
@@ -6,7 +6,7 @@ fn lit_by_grid(material: Material, color: vec3f, lit: Lit) -> vec3f {
     for (var i = 0u; i < arrayLength(&grid_lights); i++) {
         let light = grid_lights[i];
         let x = (vec3f(lit.x) - light.lo) / light.h;
-        // In bricks as far as there are any where the light is looked for.
+        // In bricks, where there are any at the position of the lookup.
         let fine = f32(light.refine);
         let near = x + LIGHT_OFF / fine * lit.normal;
         let refined = light_brick_at(light, near) != 0u;
@@ -21,7 +21,8 @@ fn lit_by_grid(material: Material, color: vec3f, lit: Lit) -> vec3f {
     return sum;
 }
 
-// Trilinear between the middles of parts, off a surface at x. Of a part that it cuts, light had only what lies before it.
+// Interpolates trilinearly between the centers of parts, off a surface at x. A part that the surface cuts received light only in front of
+// it.
 fn light_between(light: GridLight, x: vec3f, normal: vec3f, cut: f32) -> vec4f {
     let surface = x * cut - 0.5;
     let at = surface + LIGHT_OFF * normal;
@@ -40,7 +41,8 @@ fn light_between(light: GridLight, x: vec3f, normal: vec3f, cut: f32) -> vec4f {
     return sum / open;
 }
 
-// Lights that fall off are as bright as their paths are many, others as bright wherever a path of theirs comes.
+// Returns the strength of a light: proportional to the number of its paths if it falls off with distance, else equal wherever a path of it
+// comes.
 fn grid_strength(light: GridLight, x: vec3f, lit: Lit, f: vec4f, cut: f32) -> f32 {
     if GRIDS_ALL_FALL {
         return length(f.xyz);
@@ -51,18 +53,19 @@ fn grid_strength(light: GridLight, x: vec3f, lit: Lit, f: vec4f, cut: f32) -> f3
     return select(even_share(light, x, lit, f.w, cut), length(f.xyz), light.falls == 1u);
 }
 
-// Of what is expected of a place: so dark is a shadow, and so much brighter is lit.
+// The fraction of the expected fluence at which a position is in shadow, and the fraction above that at which it is fully lit.
 const SHADE: f32 = 0.25;
 const FADE: f32 = 0.5;
 
-// Of the fluence that comes to x, in voxels, as much as comes to the brightest place around, or on a straight way.
+// Returns the fluence at x, in units of voxels, as a share of the fluence at the brightest position around, or on a straight path.
 fn even_share(light: GridLight, x: vec3f, lit: Lit, fluence: f32, cut: f32) -> f32 {
     let way = lit.x - light.position;
     let expected = min(1.0 / dot(way, way), brightest_around(light, x + 1.5 / cut * lit.normal, cut));
     return clamp((fluence / expected - SHADE) / FADE, 0.0, 1.0);
 }
 
-// The greatest fluence about a place: near a shadow that of what is not in it, where light is spread wide or in focus about the place's own.
+// Returns the greatest fluence around a position: near a shadow the fluence outside it, and where light is spread widely or focused about
+// the local one.
 fn brightest_around(light: GridLight, x: vec3f, cut: f32) -> f32 {
     let corner = floor(x * cut);
     var most = 0.0;

@@ -1,11 +1,11 @@
-// Lights at a place.
+// Point lights.
 
 struct PointLight {
     position: vec3f,
-    // 1 where it casts shadows.
+    // 1 if it casts shadows.
     shadows: u32,
     color: vec3f,
-    // 1 where it falls off with the square of the distance.
+    // 1 if it falls off with the square of the distance.
     falls: u32,
 }
 
@@ -24,7 +24,7 @@ fn lit_by_point(material: Material, color: vec3f, lit: Lit) -> vec3f {
     return sum;
 }
 
-// With the square of the distance, of some lights; at distance 1 they are as they are written.
+// Returns the falloff with the square of the distance, if the light has one; at distance 1 a light has its specified intensity.
 fn fallen(falls: u32, way: vec3f) -> f32 {
     if !FALLS {
         return 1.0;

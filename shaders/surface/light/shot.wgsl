@@ -1,12 +1,12 @@
-// Lights whose paths are found by shooting (G95 §6, his open problem): each path that leads from the light to a place under the scene's own
-// law is an image of the light there, with a direction and a brightness of its own, and a shadow where something opaque lies on it.
+// Lights whose paths are found by the shooting method (G95 §6, an open problem there): each path from the light to a position under the
+// scene's law is an image of the light there, with its own direction and brightness, and a shadow if something opaque is on it.
 
 struct ShotLight {
     position: vec3f,
-    // 1 where it is as bright as the bundle of its paths is narrow.
+    // 1 if its brightness is inversely proportional to the area of the ray bundle.
     falls: u32,
     color: vec3f,
-    // A bundle is no narrower than this ball: at a caustic it would be.
+    // The minimum size of a ray bundle, which would vanish at a caustic.
     size: f32,
 }
 

@@ -1,10 +1,10 @@
-// Matter that goes round in a thin disc and falls in, and radiates as black bodies do (Page and Thorne 1974).
+// A thin accretion disk on circular orbits and in infall, which radiates like black bodies (Page and Thorne 1974).
 
 const ACCRETION: u32 = 10u;
 
 struct Equator {
     center: Real3,
-    // The logarithm of the first orbit's distance from the axis; the others' are even.
+    // The logarithm of the first orbit's distance from the axis; the others are uniformly spaced.
     first: Real,
     axis: Real3,
     per_orbit: Real,
@@ -12,9 +12,9 @@ struct Equator {
 
 var<uniform> equator: Equator;
 struct DiscOrbit {
-    // The four-velocity along the way out, along the way round and of time.
+    // The components of the four-velocity: outwards, azimuthal and in time.
     u: vec3f,
-    // √(F/F_most), which ends evenly at the innermost stable orbit.
+    // √(F/F_most), which goes to 0 smoothly at the ISCO.
     light: f32,
 }
 
@@ -36,7 +36,7 @@ fn orbit_at(rho: Real) -> DiscOrbit {
     return DiscOrbit(mix(a.u, b.u, part), mix(a.light, b.light, part));
 }
 
-// u of the matter at x.
+// Returns u of the matter at x.
 fn matter_accretion(x: Real3) -> Real4 {
     let out = from_axis(x);
     let rho = length(out);
@@ -44,7 +44,7 @@ fn matter_accretion(x: Real3) -> Real4 {
     return Real4((Real(u.x) * out + Real(u.y) * cross(equator.axis, out)) / rho, Real(u.z));
 }
 
-// F goes with the fourth power of temperature. Without a temperature it is white, and as bright as all its frequencies together.
+// The flux F is proportional to the fourth power of temperature. Without a temperature the disk is white, with its bolometric brightness.
 fn radiance_accretion(material: Material, color: vec3f, lit: Lit) -> vec3f {
     let heat = sqrt(orbit_at(length(from_axis(Real3(lit.x)))).light) * color_shift();
     let white = vec3f(heat * heat * heat * heat);

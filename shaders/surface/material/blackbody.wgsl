@@ -1,4 +1,4 @@
-// Radiates as a black body does.
+// A material that radiates like a black body.
 
 const BLACKBODY: u32 = 9u;
 

@@ -1,4 +1,4 @@
-// Radiates its colour.
+// A material that radiates its color.
 
 const EMISSIVE: u32 = 0u;
 

@@ -9,12 +9,12 @@ fn radiance_phong(material: Material, color: vec3f, lit: Lit) -> vec3f {
     return material.emission + material.ambient * color + lit_radiance(material, color, lit);
 }
 
-// On a path the highlight is a glossy lobe, and there is no ambient light.
+// In path tracing the highlight is a glossy lobe, and there is no ambient light.
 fn answer_phong(material: Material, color: vec3f) -> Answer {
     return Answer(material.emission, color, material.specular, material.exponent);
 }
 
-// The Blinn–Phong answer to light from one direction: to_light, normal and view (towards the viewer) are unit vectors.
+// Returns the Blinn–Phong reflection of light from one direction: to_light, normal and view (towards the viewer) are unit vectors.
 fn blinn_phong(material: Material, color: vec3f, to_light: vec3f, normal: vec3f, view: vec3f) -> vec3f {
     let facing = max(dot(normal, to_light), 0.0);
     let halfway = normalize(to_light + view);

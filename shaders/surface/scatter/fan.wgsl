@@ -1,9 +1,9 @@
-// A law of the user's own: a ray goes on in several directions at once, each with a weight (G95 §6). Every direction but the last is
-// one branching: taken, or one of those behind it.
+// A custom scattering law: a ray is split into several directions at once, each with a weight (G95 §6). Every direction except the last is
+// one split: taken, or one of the later directions.
 
 const FAN: u32 = 4u;
 
-// One choice at a surface is as random as another.
+// Makes each choice at a surface independent of the others.
 const NEXT_CHOICE: u32 = 0x10000u;
 
 fn scatter_fan(material: Material, surface: Surface, end: PathPoint, index: u32, pixel: vec2u) -> Scattered {
@@ -45,7 +45,7 @@ fn scatter_fan(material: Material, surface: Surface, end: PathPoint, index: u32,
     return Scattered(speed * onward, f32(total) * share * pattern_color(material, surface.uv), lost, true);
 }
 
-// Whoever goes through a closed surface is inside of it, or no more; through an open one on its other side.
+// A ray that passes a closed surface enters or leaves it; one that passes an open surface is on its other side.
 fn pass_through(object: u32) {
     if HAS_REGIONS {
         let bit = object_bits[object];

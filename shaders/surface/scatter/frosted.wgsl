@@ -1,5 +1,5 @@
-// Clear objects with a rough surface (thesis 2.2.3): Fresnel's law chooses between the smooth surface's two rays, and the one that goes on
-// is spread about its direction. What would end on the wrong side is dropped, and its light is lost.
+// Transparent objects with a rough surface (thesis 2.2.3): the Fresnel reflectance chooses between the two rays of the smooth surface, and
+// the chosen one is spread around its direction. A ray that would be on the wrong side is dropped, and its light is lost.
 
 const FROSTED: u32 = 6u;
 
@@ -9,7 +9,7 @@ fn scatter_frosted(material: Material, surface: Surface, end: PathPoint, index: 
     let across = vec3f(surface.across);
     let reflects = dot(vec3f(passed.v), across) * dot(vec3f(end.v), across) < 0.0;
     let exponent = select(material.transmit_exponent, material.exponent, reflects);
-    // Between the same medium on both sides there is no surface.
+    // There is no surface between equal media.
     if exponent == 0.0 || (!reflects && medium_object() == near_medium) {
         return passed;
     }

@@ -1,5 +1,6 @@
-// Glossy reflection (thesis 2.2.3): rays go on about the mirror's direction. Those that would go on below the surface are dropped, and
-// their light is lost: under an even light such a ball is as bright as the part of the lobe that lies above it, which is half at its limb.
+// Glossy reflection (thesis 2.2.3): rays are spread around the mirror direction. Rays that would be below the surface are dropped, and
+// their light is lost: under uniform light such a ball is as bright as the fraction of the lobe above the surface, which is half at its
+// limb.
 
 const GLOSSY: u32 = 5u;
 

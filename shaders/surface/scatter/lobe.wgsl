@@ -1,7 +1,7 @@
-// Directions about an axis (thesis 2.2.3): as dense as cosᵉ of the angle to it, p = (e + 1)/(2 pi) cosᵉ a, of which the thesis' Eq. 8 is
-// the unnormalised form.
+// Draws directions from a cosᵉ lobe around an axis (thesis 2.2.3): p = (e + 1)/(2 pi) cosᵉ a, of which Eq. 8 of the thesis is the
+// unnormalized form.
 
-// Two unit vectors square to a third, which is the last column (Duff et al. 2017).
+// Returns two unit vectors perpendicular to a third, which is the last column (Duff et al. 2017).
 fn frame_about(n: vec3f) -> mat3x3f {
     let side = select(-1.0, 1.0, n.z >= 0.0);
     let a = -1.0 / (side + n.z);
@@ -9,7 +9,7 @@ fn frame_about(n: vec3f) -> mat3x3f {
     return mat3x3f(vec3f(1.0 + side * n.x * n.x * a, side * b, -side * n.x), vec3f(b, side + n.y * n.y * a, -n.y), n);
 }
 
-// About an axis, at an angle of this cosine and sine, so many turns round.
+// Returns the direction at an angle with this cosine and sine to an axis, and at an azimuth of `turns` turns.
 fn way_about(axis: vec3f, cosine: f32, sine: f32, turns: f32) -> vec3f {
     let phi = 2.0 * f32(PI) * turns;
     return normalize(frame_about(axis) * vec3f(sine * cos(phi), sine * sin(phi), cosine));
@@ -23,11 +23,11 @@ fn lobe_way(axis: vec3f, exponent: f32, u: vec2f) -> vec3f {
     return way_about(axis, exp(0.5 * x), sine, u.y);
 }
 
-// A path's use of random points.
+// The number of this use of random points.
 const LOBE: u32 = 8u;
 
-// A lobe's direction is drawn anew for every sample: the samples of one pixel are well spread over it. A ray that is traced goes along the
-// axis of every lobe.
+// Returns a new point for every sample: the samples of one pixel are well distributed over the lobe. A ray that is traced follows the axis
+// of every lobe.
 fn lobe_point(pixel: vec2u, index: u32) -> vec2f {
     if FOLLOWS_PATHS {
         return path_point(pixel, LOBE);

@@ -1,6 +1,7 @@
-// Clear objects with a surface of microfacets (Walter et al. 2007), whose slopes are spread by Trowbridge's and Reitz's law (GGX) of width
-// a. A ray meets one facet of those that it sees, is reflected or refracted there as by a smooth surface, and counts for the part of its
-// way out that other facets leave open. What would end on the wrong side is dropped: light that would be scattered a second time.
+// Transparent objects with a microfacet surface (Walter et al. 2007), whose slopes have the Trowbridge–Reitz distribution (GGX) of width a.
+// A ray meets one facet of those visible to it, is reflected or refracted there as by a smooth surface, and is weighted by the fraction of
+// its outgoing direction that other facets leave open. A ray that would be on the wrong side is dropped: its light would be scattered a
+// second time.
 
 const MICROFACET: u32 = 8u;
 
@@ -33,12 +34,12 @@ fn scatter_microfacet(material: Material, surface: Surface, end: PathPoint, inde
     return Scattered(onward, vec3f(taken.weight * open_facets(height, material.roughness)), taken.cut || lost, true);
 }
 
-// The normal of a facet, as often as it is seen from the direction `view` (Heitz 2018, by the spherical caps of Dupuy and Benyoub 2023). u: a
-// point of the unit square; 0 is for rays that draw nothing, and gives the surface's own normal.
+// Returns the normal of a facet, drawn from those visible from the direction `view` (Heitz 2018, by the spherical caps of Dupuy and Benyoub
+// 2023). u: a point of the unit square; 0, for rays that draw nothing, gives the geometric normal.
 fn seen_facet(view: vec3f, axis: vec3f, a: f32, u: vec2f) -> vec3f {
     let frame_of = frame_about(axis);
     let local = view * frame_of;
-    // Where facets are stretched to a half ball it is a direction of the cap that is seen.
+    // Where facets are stretched to a hemisphere it is a direction of the visible cap.
     let stretched = normalize(vec3f(a * local.xy, local.z));
     let z = (1.0 - u.x) * (1.0 + stretched.z) - stretched.z;
     let sine = sqrt(clamp(1.0 - z * z, 0.0, 1.0));
@@ -48,7 +49,7 @@ fn seen_facet(view: vec3f, axis: vec3f, a: f32, u: vec2f) -> vec3f {
     return select(facet, axis, all(u == vec2f(0.0)));
 }
 
-// Smith's part of the facets that others leave open in a direction of this cosine.
+// Returns the Smith fraction of the facets that others leave open in a direction of this cosine.
 fn open_facets(cosine: f32, a: f32) -> f32 {
     let c2 = max(cosine * cosine, 1e-12);
     return 2.0 / (1.0 + sqrt(1.0 + a * a * (1.0 - c2) / c2));

@@ -1,4 +1,4 @@
-// Mirrors give back a part of the light that their pattern says.
+// Mirrors that reflect a fraction of the light given by their pattern.
 
 const MIRROR: u32 = 2u;
 

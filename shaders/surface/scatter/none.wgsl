@@ -1,4 +1,4 @@
-// Surfaces end the rays that meet them.
+// Ends every ray at the first surface that it meets.
 
 fn may_scatter(code: u32) -> bool {
     return false;

@@ -1,20 +1,20 @@
-// What becomes of a ray at a surface that it goes on from.
+// The result of scattering at a surface that reflects or transmits.
 
 struct Scattered {
     v: Real3,
-    // What its weight is multiplied by.
+    // The factor of the ray's throughput.
     weight: vec3f,
-    // It is followed no further.
+    // The ray is followed no further.
     cut: bool,
-    // False where the surface is opaque: there it ends.
+    // False if the surface is opaque: the ray ends there.
     continues: bool,
 }
 
-// Which of its two rays is followed where a surface both reflects and transmits.
+// The ray that is followed if a surface both reflects and transmits.
 struct Branch {
     reflects: bool,
-    // What the ray's weight is multiplied by.
+    // The factor of the ray's throughput.
     weight: f32,
-    // It is followed no further.
+    // The ray is followed no further.
     cut: bool,
 }

@@ -1,11 +1,11 @@
-// From some surfaces rays go on: what met one is looked at, and where it is reflected or refracted, it is under way again.
+// Scatters rays at surfaces that reflect or transmit; such rays become active again.
 
 fn may_scatter(code: u32) -> bool {
     return code == HIT;
 }
 
-// ray: at the start of the segment that met the surface. It comes back under way from there, or with the status that ends it; HIT
-// where the surface is opaque, which `met` then names.
+// ray: at the start of the segment that met the surface. It is returned active from there, or with the status that ends it; HIT if the
+// surface is opaque, which is then stored in `met`.
 fn scatter_ray(ray: Ray, met: ptr<function, Hit>, pixel: vec2u) -> Ray {
     let end = path_end(ray, *met);
     let surface = met_surface(met, end.x);

@@ -1,9 +1,10 @@
-// A wormhole's throat. A path crosses it like any other place, and goes on to a sphere a little beyond, l = −δ; from there it is drawn
-// round the other mouth, where that is l = δ, in the same direction. Between the two no chord of an arc leads back.
+// Carries rays through the throat of a wormhole. A path crosses it like any other position, and continues to a sphere slightly beyond, l =
+// −δ. From there it is drawn around the other mouth, where this is l = δ, in the same direction. Between the two no chord of an arc leads
+// back.
 
 const THROAT: u32 = 11u;
 
-// How far R is stretched from one drawing to the other.
+// Returns the scale of R from one drawing to the other.
 fn other_drawing(x: Real3) -> Real {
     return 2.0 * law.radius / length(mouth_offset(x)) - 1.0;
 }
@@ -13,7 +14,7 @@ fn scatter_throat(material: Material, surface: Surface, end: PathPoint, index: u
     return Scattered(other_drawing(end.x) * (end.v - inwards) - inwards, vec3f(1.0), false, true);
 }
 
-// To the other mouth.
+// Moves a ray to the other mouth.
 fn pass_throat(kind: u32, x: ptr<function, Real3>) {
     if kind == THROAT {
         let is_here = distance(*x, law.center) < distance(*x, law.other);

@@ -1,11 +1,12 @@
-// Surfaces that end rays, and some through which a part of the light from behind comes: such a ray both ends there and goes straight on.
+// Handles opaque and translucent surfaces: a ray ends on an opaque one; a translucent one transmits a fraction of the light from behind, so
+// that the ray both ends there and continues straight on.
 
 struct Ending {
-    // The part of a ray's light that is the surface's own; 1 where it is opaque.
+    // The fraction of a ray's light that comes from the surface itself; 1 if it is opaque.
     opacity: f32,
 }
 
-// By material.
+// One entry per material.
 var<storage, read> endings: array<Ending>;
 
 fn scatter_ending(surface: Surface, end: PathPoint, index: u32, pixel: vec2u) -> Scattered {
@@ -21,7 +22,7 @@ fn scatter_ending(surface: Surface, end: PathPoint, index: u32, pixel: vec2u) ->
     return Scattered(end.v, vec3f(taken.weight), taken.cut, !taken.reflects);
 }
 
-// A path that has ended by a branching stays ended, however often a pass comes back to its surface, and among however many branches.
+// A path that has ended by a split stays ended, however often a pass returns to its surface, and with any number of branches.
 const SETTLED: u32 = 0x80000000u;
 
 fn settle() {

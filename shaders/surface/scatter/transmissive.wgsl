@@ -1,5 +1,5 @@
-// The surface of an object that light goes through: between the medium on this side and that on the other, which may be the same
-// where a medium of higher priority is on both.
+// Reflects and refracts rays at the surface of a transparent object: between the medium on this side and the medium on the other, which may
+// be equal if a medium of higher priority is on both.
 
 const TRANSMISSIVE: u32 = 3u;
 
@@ -23,12 +23,12 @@ fn scatter_transmissive(material: Material, surface: Surface, end: PathPoint, in
     return Scattered(select(both.transmitted, both.reflected, taken.reflects), vec3f(taken.weight), taken.cut, true);
 }
 
-// Snell's law and Fresnel's, in the velocity v = n d: what lies along the surface is kept, and what goes through it follows from
-// the new length (thesis Eqs. 2–7).
+// Snell's law and the Fresnel equations, in the velocity v = n d: the component along the surface is constant, and the normal component of
+// the transmitted ray follows from the new length (thesis Eqs. 2–7).
 struct Refraction {
-    // Of unpolarised light: 1 at total internal reflection, 0 where the indices agree.
+    // The reflectance for unpolarized light: 1 at total internal reflection, 0 if the indices agree.
     reflectance: Real,
-    // As long as the index beyond.
+    // The transmitted velocity, with the index beyond as its length.
     transmitted: Real3,
     reflected: Real3,
 }

@@ -1,9 +1,9 @@
-// Which surfaces light goes on through, and what lights want of them.
+// Decides which surfaces transmit light to others, as each light specifies.
 
-// Surfaces on one line: more of them let light through without being looked at.
+// The number of surfaces on one line that are evaluated; further ones transmit light without a test.
 const CROSSINGS: u32 = 64u;
 
-// Of lights as they ask for it; 1 is for light that clear things let through undiminished.
+// The setting of lights that transparent objects block; 1 is for light that they transmit undiminished.
 const SHUT_OUT: u32 = 2u;
 const WEAKENED: u32 = 3u;
 
@@ -14,14 +14,14 @@ fn is_clear(kind: u32) -> bool {
     return kind == TRANSMISSIVE || kind == FROSTED || kind == MICROFACET;
 }
 
-// True for light that clear things shut out.
+// True for light that transparent objects block.
 var<private> shut_out: bool;
 
 fn note_light(shadows: u32) {
     shut_out = shadows == SHUT_OUT;
 }
 
-// Does light go straight on through a surface, into the medium behind it?
+// Returns `true` if light passes straight through a surface, into the medium behind it.
 fn passes_light(material: u32) -> bool {
     if !SPLITS {
         return false;

@@ -1,9 +1,9 @@
-// As surface/shadow/straight.wgsl, in colour: light that asks for it is weakened by the clear things on its way, which it goes straight on
-// through, and by what media take from it.
+// Shadow rays as in surface/shadow/straight.wgsl, in color: with tinted shadows, light is attenuated by the transparent objects on its
+// straight path, and by absorption in media.
 
 alias Share = vec3f;
 
-// What is left of the light at the end of `way` where it comes to `start`; 0 where something opaque lies between.
+// Returns the transmittance from the light at the end of `way` to `start`; 0 if something opaque is between.
 fn light_share(shadows: u32, faces: bool, start: Real3, way: Real3) -> Share {
     if shadows == 0u || !faces {
         return Share(1.0);
@@ -38,7 +38,7 @@ fn light_share(shadows: u32, faces: bool, start: Real3, way: Real3) -> Share {
     return select(Share(0.0), share, there);
 }
 
-// What has an interior lets light through: as much as is transmitted by Fresnel's law, of light that asks for that.
+// Returns the transmittance of a surface with an interior: the Fresnel transmittance, for light with tinted shadows.
 fn crossing_share(shadows: u32, hit: ptr<function, Hit>, x: Real3, way: Real3) -> f32 {
     if !SPLITS {
         return 0.0;
@@ -55,8 +55,8 @@ fn crossing_share(shadows: u32, hit: ptr<function, Hit>, x: Real3, way: Real3) -
         return 1.0;
     }
     let n2 = medium_index(x);
-    // A line that is not bent meets the surface at one angle from both sides. It is taken for that in the thinner medium, or light would
-    // be reflected totally where it has come in through the same glass.
+    // An undeviated line has one angle of incidence on both sides. It is taken as the angle in the thinner medium, because otherwise light
+    // would be totally reflected where it has entered through the same glass.
     let thin = min(n1, n2);
     return f32(1.0 - refraction(thin * normalize(way), surface.across, thin, max(n1, n2)).reflectance);
 }

@@ -1,9 +1,10 @@
-// How light is looked for from surfaces: where that begins, what is met first, and whether it could be found out.
+// Follows shadow rays from surfaces: their start, their first hit, and whether the result is complete.
 
-// In parts of the numbers that its place was computed from: further than rounding moves it.
+// Relative to the numbers that its position was computed from: further than rounding moves it.
 const OFF: Real = 8e-6;
 
-// Where light that a surface sends to the viewer has come from: a little off it, on the viewer's side, if a line or path begins there.
+// Returns the origin of shadow rays for light that a surface sends to the viewer: slightly off it, on the viewer's side, if a line or path
+// begins there.
 fn lit_from(x: Real3, surface: Surface, view: vec3f) -> Real3 {
     if !LEAVES_SURFACES {
         return x;
@@ -12,10 +13,10 @@ fn lit_from(x: Real3, surface: Surface, view: vec3f) -> Real3 {
     return x + select(-off, off, dot(vec3f(surface.across), view) >= 0.0) * surface.across;
 }
 
-// True once a shadow has needed more work than a pass has, for all that the lane still follows.
+// True once a shadow has needed more work than a pass allows, for the rest of the lane.
 var<private> unfinished: bool;
 
-// The path's status, or another where one of its shadows could not be found out.
+// Returns the status of the path, or `otherwise` if one of its shadows is incomplete.
 fn lit_status(code: u32, otherwise: u32) -> u32 {
     if !LOOKS_FOR_LIGHT {
         return code;
@@ -23,7 +24,7 @@ fn lit_status(code: u32, otherwise: u32) -> u32 {
     return select(code, otherwise, unfinished);
 }
 
-// True while a line to a light is followed: it ends there, and pieces of a path go on beyond their ends.
+// True while a line to a light is followed: it ends there, while pieces of a path extend beyond their ends.
 var<private> along_light: bool;
 
 fn mark_line(begins: bool) {
@@ -32,7 +33,7 @@ fn mark_line(begins: bool) {
     }
 }
 
-// What a line or path meets first on one segment.
+// Returns the first hit of a line or path on one segment.
 fn first_met(s: Segment, pieces: u32) -> Hit {
     let near = items_near(s);
     var hit = listed_hit(s, pieces, near);

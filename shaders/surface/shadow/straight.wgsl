@@ -1,5 +1,5 @@
-// Shadows by straight lines (G95 §6: light is without mass until it strikes something), for lights that ask for them. What light goes
-// through casts none.
+// Computes shadows by straight lines (G95 §6: light is massless until it hits something), for lights that ask for them. Transparent objects
+// cast none.
 
 alias Share = f32;
 
@@ -10,7 +10,7 @@ fn casts(shadows: u32) -> bool {
     return shadows != 0u;
 }
 
-// 1, or 0 where something opaque lies between `start` and the light, which is at the end of `way`.
+// Returns 1, or 0 if something opaque is between `start` and the light, which is at the end of `way`.
 fn light_share(shadows: u32, faces: bool, start: Real3, way: Real3) -> Share {
     if !FOLLOWS_LINES {
         return 1.0;

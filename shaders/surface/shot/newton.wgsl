@@ -1,59 +1,59 @@
-// Paths under any law, by Newton's method: two angles about a first direction are unknown, and the offset of the path from the place, square
-// to the path where it is nearest, is to vanish. Two neighbors travel along for the derivative. Each of several first directions may lead
-// to a path of its own: straight, past each of the law's sources on its other side, at three distances from it, or, if it has none, to the
-// left, right, above and below; and all around, where paths are wanted as numbers.
+// Finds paths from a light to a position under any law, by the Newton method. The unknowns are two angles about a first direction; the
+// offset of the path from the position, perpendicular to the path at its nearest point, must vanish. Two neighboring paths give the
+// derivative. Each of several first directions may lead to a path of its own: straight; past each source of the law on its other side, at
+// three distances from it; or, if the law has no source, to the left, right, above and below; and all around, for `bentray light`.
 
 struct Aim {
     position: Real3,
 }
 
-// The sources of the law, or none at all, and then one that nobody looks at.
+// The sources of the law; if there are none, one unused entry.
 var<uniform> aims: array<Aim, AIM_COUNT>;
 
 const NEWTON_STEPS: u32 = 12u;
 const SHORTENINGS: u32 = 4u;
-// After so many steps a path that is still this far off, of the distance between light and place, is given up.
+// After this many steps a path that is still off by HOPELESS of the distance between light and position is abandoned.
 const HOPELESS_AT: u32 = 5u;
 const HOPELESS: Real = 0.2;
-// Radians: the most in one step, between neighbours, between those that the spread is taken from, and between paths that are one.
+// In radians: the largest step, the angle between neighbors, between those of the bundle spread, and between paths that count as one.
 const LONGEST: Real = 0.3;
 const NEIGHBOUR: Real = 2e-3;
 const BUNDLE: Real = 4e-3;
 const SAME: f32 = 2e-3;
-// A path this much longer than the distances of both ends from each other and from the bounding sphere's middle is followed no further.
+// A path is followed up to this multiple of the distances of both ends from each other and from the center of the bounding sphere.
 const LONGEST_PATH: Real = 5.0;
-// Tangents of the angles of first directions to the sides.
+// The tangents of the angles of first directions to the sides.
 const TILT: Real = 1.0;
 const STEEP: Real = 6.0;
-// Of a whole turn, from one of the directions all around to the next.
+// The fraction of a turn from one of the directions all around to the next.
 const GOLDEN: f32 = 0.381966;
-// How far past a source, in parts of its distance from the straight line.
+// The distance past a source, relative to its distance from the straight line.
 const BEYOND: array<Real, 3> = array<Real, 3>(1.0, 0.35, 0.1);
-// Of the distance between light and place: a path is there when it is a few roundings off, and is one at all within this.
+// Relative to the distance between light and position: a path has converged within a few roundings, and is accepted at all within this.
 const ROUNDINGS: Real = 10.0;
 const NEAR_ENOUGH: Real = 1e-4;
-// Where it is this near, whole steps lead nearer, or roundings keep it where it is.
+// Within this distance whole steps converge, or rounding stops them.
 const CLOSE: Real = 1e-3;
 
 // The directions found for a light so far.
 var<private> found_directions: array<vec3f, SHOTS>;
 var<private> found_count: u32;
 
-// A path where it is nearest to the place.
+// A path at its nearest point to the position.
 struct Nearest {
     offset: Real3,
     v: Real3,
     gap: Real,
-    // Its length up to there, to within a segment.
+    // The length of the path up to there, to within a segment.
     passed: Real,
 }
 
-// A path may go round for ever.
+// Returns the largest length of a path, because a path may orbit forever.
 fn longest_path(source: Real3, place: Real3) -> Real {
     return LONGEST_PATH * (distance(source, place) + distance(source, bound.center) + distance(place, bound.center));
 }
 
-// How far neighbors of a path are followed: not much further than it takes to pass the place.
+// Returns the length up to which neighbors of a path are followed: slightly more than it takes to pass the position.
 fn neighbor_length(search: ShotSearch) -> Real {
     return 1.25 * search.passed + 2.0 * search.gap;
 }
@@ -73,7 +73,7 @@ fn nearest_to(source: Real3, d: Real3, place: Real3, longest: Real) -> Nearest {
         passed += distance(s.x0, s.x1);
         let t = nearest_fraction(s, place);
         let gap = distance(segment_point(s, t), place);
-        // A path that comes back is not nearest where it starts, however far it misses the place.
+        // The start of a path that comes back is not its nearest point, however far it misses the position.
         if t > 0.0 && gap < best {
             best = gap;
             from_ray = ray;
@@ -89,7 +89,7 @@ fn nearest_to(source: Real3, d: Real3, place: Real3, longest: Real) -> Nearest {
     return nearest_on(from_ray, to_ray, at, place, passed_there);
 }
 
-// The step retaken to where it is nearest: the arc's own place and direction would be off by up to 3e-4.
+// Retakes the step up to the nearest point: the position and direction of the arc itself would be off by up to 3e-4.
 fn nearest_on(start: Ray, end: Ray, t: Real, place: Real3, passed: Real) -> Nearest {
     let size = own_size(start, end);
     var h = own_fraction(start.phase, end.phase, t) * size;
@@ -121,7 +121,7 @@ fn first_direction(source: Real3, place: Real3, k: u32) -> Real3 {
     if HAS_AIMS {
         let center = aims[(k - 1u) / 3u].position;
         let off = center - source - dot(center - source, straight) * straight;
-        // The stronger it bends, the further out; the less, the nearer to it.
+        // Strong bending needs a direction further out, weak bending one nearer to the source.
         return normalize(center + BEYOND[(k - 1u) % 3u] * off - source);
     }
     let base = square_to(straight);
@@ -130,7 +130,7 @@ fn first_direction(source: Real3, place: Real3, k: u32) -> Real3 {
     return tilted(straight, base, select(Real2(angle, 0.0), Real2(0.0, angle), ((k - 1u) & 2u) != 0u));
 }
 
-// The i-th of directions that are spread evenly, on a spiral of equal areas about d by golden angles.
+// Returns the i-th of uniformly distributed directions, on a spiral of equal areas around d by golden angles.
 fn direction_around(d: Real3, i: u32) -> Real3 {
     let base = square_to(d);
     let along = 1.0 - (2.0 * Real(i) + 1.0) / Real(max(SHOTS - USUAL_SHOTS, 1u));
@@ -150,7 +150,7 @@ fn shot_at(source: Real3, place: Real3, k: u32) -> Shot {
     return ended_search(search, source, place);
 }
 
-// The same, part by part.
+// Continues the search by one part.
 fn continued_search(search: ShotSearch, source: Real3, place: Real3, k: u32) -> ShotSearch {
     var next = search;
     if search.parts == 0u {
@@ -173,7 +173,7 @@ fn with_path(search: ShotSearch, d: Real3, path: Nearest) -> ShotSearch {
     return ShotSearch(Shot(false, d, path.v, 0.0, 0.0), path.offset, path.gap, path.passed, search.parts);
 }
 
-// One step of Newton's method.
+// Takes one Newton step.
 fn nearer_search(search: ShotSearch, source: Real3, place: Real3) -> ShotSearch {
     let far = distance(source, place);
     let d = search.shot.leaves;
@@ -219,7 +219,7 @@ fn ended_search(search: ShotSearch, source: Real3, place: Real3) -> Shot {
         shot.spread = bundle_spread(search, source, place);
         shot.error = search.gap / sqrt(max(shot.spread, 1e-30));
     }
-    // A path or its bundle may have ended for lack of room, where nothing is known of either.
+    // A path or its bundle may have ended because the loop limit was reached; then neither result is known.
     rejoin();
     if !has_room() {
         unfinished = true;
@@ -239,7 +239,8 @@ fn is_new(d: vec3f) -> bool {
     return true;
 }
 
-// By a neighbor on each of four sides; in 64 bits by one twice as far out as well, for a difference of the fourth order.
+// Computes the divergence of the ray bundle from a neighbor on each of four sides; in 64 bits also from one twice as far out, for a
+// difference of the fourth order.
 fn bundle_spread(search: ShotSearch, source: Real3, place: Real3) -> Real {
     var columns = bundle_change(search, source, place, BUNDLE);
     if LAST_PART < 1e-10 {
@@ -251,7 +252,7 @@ fn bundle_spread(search: ShotSearch, source: Real3, place: Real3) -> Real {
     return abs(a.x * b.y - a.y * b.x);
 }
 
-// How the offset at the place changes with the two angles of the direction at the light.
+// Returns the derivative of the offset at the position by the two angles of the direction at the light.
 fn bundle_change(search: ShotSearch, source: Real3, place: Real3, apart: Real) -> mat2x3<Real> {
     let d = search.shot.leaves;
     let base = square_to(d);

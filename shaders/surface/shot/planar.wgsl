@@ -1,25 +1,27 @@
-// Paths about a law's only centre stay in the plane of the light, the place and the centre, so that one angle is unknown: how far the path
-// leaves the light off the line to the centre. The orbit is followed to the place's own angle, by either side; its distance from the centre
-// there, against the place's, changes its sign at a path. All are found that go less than once round.
+// Finds paths from a light to a position around the only center of a law. They stay in the plane of the light, the position and the center,
+// so that the only unknown is the angle at which the path leaves the light, from the line to the center. The orbit is followed to the angle
+// of the position, on either side; at a path, the difference of its distance from the center there and the distance of the position changes
+// its sign. All paths of less than one turn are found.
 
-// Angles looked through, closer to each other near the centre, where images of distant things lie, and halvings between two, of orbits in
-// few steps; and of orbits in many, the secant's steps after that.
+// The number of angles tested, which are denser near the center, where images of distant objects are; of bisections between two of them,
+// with orbits of few steps; and of secant steps after that, with orbits of many steps.
 const LOOKS: u32 = 40u;
 const HALVINGS: u32 = 12u;
 const FEW_STEPS: u32 = 48u;
 const SECANTS: u32 = 6u;
 const MANY_STEPS: u32 = ROUND_STEPS;
-// For derivatives: first in parts of the angle, then so far apart that 1/r changes by this part.
+// For derivatives: first a fraction of the angle, then the distance at which 1/r changes by this fraction.
 const APART: Real = 2e-3;
 const CHANGE: Real = 0.08;
 const NEVER_THERE: Real = -1.0;
 const SWALLOWED: Real = 1e30;
 
 struct ShotPlane {
-    // Distances of the light and the place from the centre.
+    // The distances of the light and the position from the center.
     from_center: Real,
     to_center: Real,
-    // From the centre to the light, and at right angles to it, onward to the place by this side; the angle between both by this side.
+    // The unit vectors from the center to the light, and perpendicular to it, onward to the position on this side; the angle between both
+    // on this side.
     n: Real3,
     t: Real3,
     sweep: Real,
@@ -31,7 +33,7 @@ fn shot_plane(source: Real3, place: Real3, far_side: bool) -> ShotPlane {
     let n = normalize(a);
     let along = dot(b, n);
     var across = b - along * n;
-    // In one line with the centre all planes are alike.
+    // If the three points are collinear, any plane will do.
     let any_plane = square_to(n)[0];
     across = select(across, 1e-6 * length(b) * any_plane, length(across) < 1e-6 * length(b));
     let angle = arc_tangent(length(across), along);
@@ -39,12 +41,12 @@ fn shot_plane(source: Real3, place: Real3, far_side: bool) -> ShotPlane {
     return ShotPlane(length(a), length(b), n, select(t, -t, far_side), select(angle, 2.0 * PI - angle, far_side));
 }
 
-// The orbit at the place's angle, of the path that leaves the light at `off` from the line to the centre.
+// Returns the orbit at the angle of the position, for the path that leaves the light at `off` from the line to the center.
 fn shot_orbit(plane: ShotPlane, off: Real, steps: u32) -> Orbit {
     let turn = real_sin_cos(off);
     var o = Orbit(1.0 / plane.from_center, turn.y, 0.0, plane.from_center * turn.x, plane.n, plane.t);
     let s = plane.sweep / (Real(steps) * o.h);
-    // What each sum rounds away is added to the next: where two paths are nearly one, their angle hangs on the last digits.
+    // The rounding error of each sum is added to the next: if two paths nearly coincide, their angle depends on the last digits.
     var rest = Real2(0.0);
     for (var i = 0u; i < steps; i++) {
         let more = orbit_change(o, s) + rest;
@@ -70,16 +72,16 @@ fn look_angle(k: u32) -> Real {
     return PI * part * part * part;
 }
 
-// No path is found twice.
+// No path is found twice, so that nothing is stored.
 fn forget_shots() {
 }
 
-// All of it is one part.
+// The whole search is one part.
 fn continued_search(search: ShotSearch, source: Real3, place: Real3, k: u32) -> ShotSearch {
     return ShotSearch(shot_at(source, place, k), Real3(0.0), 0.0, 0.0, SEARCHED);
 }
 
-// The which-th path by one side.
+// Returns the k-th path, counted over both sides.
 fn shot_at(source: Real3, place: Real3, k: u32) -> Shot {
     if !has_room() {
         unfinished = true;
@@ -94,7 +96,7 @@ fn shot_at(source: Real3, place: Real3, k: u32) -> Shot {
     var seen = 0u;
     for (var i = 0u; i <= LOOKS; i++) {
         let off = select(look_angle(i), PI, i == LOOKS);
-        // Straight away from the centre it never comes round.
+        // A ray straight away from the center never comes around.
         let inside = i < LOOKS && shot_orbit(plane, off, FEW_STEPS).u > wanted;
         if i > 0u && inside != before {
             if seen == (k >> 1u) {
@@ -117,7 +119,7 @@ fn shot_at(source: Real3, place: Real3, k: u32) -> Shot {
         low = select(middle, low, inside == rises);
         high = select(high, middle, inside == rises);
     }
-    // What many steps find is not quite between the two.
+    // The root for many steps may be slightly outside the bracket for few steps.
     var gap = shot_orbit(plane, low, MANY_STEPS).u - wanted;
     var off = high;
     for (var i = 0u; i < SECANTS; i++) {
@@ -135,7 +137,7 @@ fn shot_at(source: Real3, place: Real3, k: u32) -> Shot {
     return shot;
 }
 
-// The path that leaves at this angle, if it is one: between what is swallowed and what escapes there is none.
+// Returns the path that leaves at this angle, if it is one: between captured and escaping rays there is none.
 fn shot_along(plane: ShotPlane, off: Real, wanted: Real) -> Shot {
     let o = shot_orbit(plane, off, MANY_STEPS);
     if abs(o.u - wanted) > 2e-3 * wanted {
@@ -143,19 +145,19 @@ fn shot_along(plane: ShotPlane, off: Real, wanted: Real) -> Shot {
     }
     let turn = real_sin_cos(off);
     let v = orbit_point(o)[1];
-    // A difference of the fourth order: wide enough for the last digits not to matter.
+    // A fourth-order difference: wide enough for the last digits not to matter.
     let close = APART * turn.x;
     let roughly = shot_orbit(plane, off + close, MANY_STEPS).u - shot_orbit(plane, off - close, MANY_STEPS).u;
     let apart = clamp(CHANGE * wanted * 2.0 * close / max(abs(roughly), 1e-30), 1e-4 * turn.x, 4e-2 * turn.x);
     let inner = shot_orbit(plane, off + apart, MANY_STEPS).u - shot_orbit(plane, off - apart, MANY_STEPS).u;
     let outer = shot_orbit(plane, off + 2.0 * apart, MANY_STEPS).u - shot_orbit(plane, off - 2.0 * apart, MANY_STEPS).u;
     let slope = (8.0 * inner - outer) / (12.0 * apart);
-    // At one angle the distance changes by slope/u², of which the part square to the path counts; and the bundle is as wide across the
-    // plane as the place is off the line from the centre to the light.
+    // By the angle the distance changes by slope/u², of which the component perpendicular to the path counts. The width of the bundle
+    // across the plane is the distance of the position from the line through the center and the light.
     let square = o.h * o.u / length(v);
     let wide = abs(real_sin_cos(plane.sweep).x) / (wanted * turn.x);
     let spread = abs(slope) / (wanted * wanted) * square * wide;
-    // What half as many steps change, of which a fifteenth is their own error.
+    // The change with half as many steps, a fifteenth of which is the error of the full number.
     let change = abs(o.u - shot_orbit(plane, off, MANY_STEPS / 2u).u) / 15.0;
     let error = (abs(o.u - wanted) + change) / max(abs(slope), 1e-30);
     return Shot(true, turn.x * plane.t - turn.y * plane.n, normalize(v), spread, error);

@@ -1,40 +1,40 @@
-// What shooting finds (G95 §6, his open problem): a path from a light to a place.
+// The result of the shooting method (G95 §6, an open problem there): a path from a light to a position.
 
 struct Shot {
     found: bool,
-    // Its unit direction at the light, and at the place.
+    // The unit direction of the path at the light, and at the position.
     leaves: Real3,
     arrives: Real3,
-    // The area that the bundle about it has at the place, square to it, for each solid angle at the light.
+    // The area of the ray bundle around it at the position, perpendicular to it, per solid angle at the light.
     spread: Real,
-    // What it misses the place by, as an angle at the light.
+    // The distance by which it misses the position, as an angle at the light.
     error: Real,
 }
 
 const NO_SHOT: Shot = Shot(false, Real3(0.0), Real3(0.0), 0.0, 0.0);
 
-// A search between two of its parts, each of which has room in an invocation.
+// The state of a search between two of its parts, each of which fits into an invocation.
 struct ShotSearch {
-    // As far as they are known.
+    // The members that are known so far.
     shot: Shot,
-    // Where the path is nearest to the place: how far off, and its length up to there.
+    // The offset of the path from the position at its nearest point, and its length up to there.
     offset: Real3,
     gap: Real,
     passed: Real,
-    // How many parts are done, or that all are.
+    // The number of finished parts, or a number that means that all are.
     parts: u32,
 }
 
 const SEARCHED: u32 = 64u;
 
-// Two unit vectors square to d and to each other.
+// Returns two unit vectors perpendicular to d and to each other.
 fn square_to(d: Real3) -> mat2x3<Real> {
     let other = select(Real3(1.0, 0.0, 0.0), Real3(0.0, 1.0, 0.0), abs(d.x) > 0.7);
     let a = normalize(cross(d, other));
     return mat2x3<Real>(a, cross(d, a));
 }
 
-// Where on a segment a place is nearest, as a fraction of it.
+// Returns the fraction of a segment at its nearest point to a position.
 fn nearest_fraction(s: Segment, x: Real3) -> Real {
     let c = s.x1 - s.x0;
     let inverse = 1.0 / max(dot(c, c), 1e-30);
@@ -48,10 +48,10 @@ fn shot_start(source: Real3, d: Real3) -> Ray {
     return Ray(phase, 0.0, 0.0, first_memory(phase), 0.0, 0u, 0u, 0u, ALIVE);
 }
 
-// How near the path comes to the place, in parts of the distance between both. Nearer to it nothing is asked.
+// The end of the tested stretch: within this fraction of the distance from light to position nothing is tested.
 const REACH: Real = 1e-3;
 
-// A path that was found, followed once more as any ray is, against what is opaque, from the light to the place.
+// Follows a path that was found once more, like any ray, and returns `true` if nothing opaque is between the light and the position.
 fn shot_clear(source: Real3, d: Real3, place: Real3) -> bool {
     if !HAS_OBJECTS {
         return true;

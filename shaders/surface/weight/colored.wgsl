@@ -1,6 +1,6 @@
-// What the light at a ray's end counts for at the camera: the parts that surfaces reflect or let through, and, since L/n² is kept
-// along a ray (thesis Eq. 14), the square of the index where the camera is over that where the ray ends. However often the
-// index changes on the way, only those two matter.
+// The throughput of a ray: the factor of the light at its end, as seen by the camera. It is the product of the fractions that surfaces
+// reflect or transmit and, since L/n² is constant along a ray (thesis Eq. 14), the squared index at the camera divided by the squared index
+// at the end of the ray. However often the index changes on the way, only those two matter.
 
 var<storage, read_write> pixel_weight: array<vec3f>;
 
@@ -19,7 +19,7 @@ fn start_weight(x: Real3) {
     weight = vec3f(f32(n * n));
 }
 
-// Is next to nothing left?
+// Multiplies the throughput by `factor`, and returns `true` if it is then negligible.
 fn scale_weight(factor: vec3f) -> bool {
     weight *= factor;
     return max(weight.x, max(weight.y, weight.z)) < DARK;

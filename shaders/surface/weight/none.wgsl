@@ -1,4 +1,4 @@
-// Every ray counts for itself alone.
+// Gives every ray the throughput 1.
 
 fn load_weight(pixel: vec2u) {
 }

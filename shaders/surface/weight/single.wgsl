@@ -1,5 +1,6 @@
-// One weight for all colors. A camera's ray counts as in surface/weight/colored.wgsl, where nothing on its way has a color; a lamp's ray
-// carries what surfaces leave of its light, and to find caustics less than 0 until a surface has sent it on: before that it leaves none.
+// One throughput for all colors. A camera ray has the one of surface/weight/colored.wgsl, if nothing on its way has a color. A ray from a
+// light carries the fraction of its light that surfaces leave; for caustics it is negative until a surface has scattered the ray, which
+// deposits no light before that.
 
 var<storage, read_write> pixel_weight: array<f32>;
 

@@ -1,9 +1,9 @@
-// What a weight is worth at its end, and when it is worth nothing.
+// The throughput at the end of a ray, and the limit below which it is negligible.
 
-// A path whose weight has fallen this low adds nothing that a float of the picture could show.
+// A path whose throughput is below this adds nothing that a float of the image could show.
 const DARK: f32 = 1e-8;
 
-// Where a path began or ended in the middle of an infinite index its light is none.
+// A path that began or ended at a singularity of the index has no light.
 fn sure_weight(weight: vec3f) -> vec3f {
     return select(vec3f(0.0), weight, finite(Real3(weight)));
 }
