@@ -4,7 +4,7 @@
 // bisection needs twenty.
 
 const JUMP_LOOKS: u32 = 22u;
-// As fractions of a piece: the distance from its ends of the first evaluations, and the accuracy of a jump's position.
+// The distance from its ends of the first evaluations, and the accuracy of a jump's position, as fractions of a piece.
 const BESIDE_JUMP: Real = 1e-6;
 
 // Returns the number of times that a texture has wrapped at a position, with the fraction of the next turn.

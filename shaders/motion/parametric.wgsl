@@ -70,7 +70,7 @@ fn next_piece(p: Phase) -> Piece {
     var end = f32(limit.length);
     var node = 0u;
     var begin = 0.0;
-    // Parts of a piece can only be near objects that the piece is near; up to this node they are its parts.
+    // The search for the parts of a piece starts at the first object near the piece; the parts end at node `parts_end`.
     var first = 0u;
     var parts_end = 0u;
     for (var k = 0u; k < NODES && node < count; k++) {
@@ -108,7 +108,7 @@ fn accepted_step(ray: Ray) -> Ray {
     let piece = next_piece(ray.phase);
     var h = limited_step(piece.size, ray);
     var end = retaken_step(ray.phase, h);
-    // A closed curve may return to its start: the ray stands still only if all of its points agree.
+    // A closed curve may return to its start: the ray does not move only if all of its points agree.
     if all(end[0].xyz == ray.phase[0].xyz) {
         h *= 0.618;
         end = retaken_step(ray.phase, h);

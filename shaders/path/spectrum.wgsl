@@ -1,5 +1,5 @@
-// Gives a path one wavelength, drawn uniformly from the visible range, and its color. A path has one only after a medium has asked for its
-// wavelength: before that, all wavelengths follow the same path together. Whether it is asked for does not depend on the wavelength up to
+// Gives a path one wavelength, drawn uniformly from the visible range, and its color. A path has one only after a medium has required its
+// wavelength: before that, all wavelengths follow the same path together. Whether it is required does not depend on the wavelength up to
 // that point, so that nothing is counted twice.
 
 // The visible range, in nanometers.

@@ -12,8 +12,8 @@ var<uniform> arc: Arc;
 
 const MAX_PIECES: Real = 16.0;
 
-// Returns the number of chords: 0 if the box of the arc's Bézier points misses the scene's box, or if the motion knows that nothing is on
-// the way.
+// Returns the number of chords: 0 if the box of the arc's Bézier points misses the scene's box, or if the motion has found that nothing is
+// on the way.
 fn segment_pieces(s: Segment) -> u32 {
     let b1 = s.x0 + (s.h / 3.0) * s.v0;
     let b2 = s.x1 - (s.h / 3.0) * s.v1;

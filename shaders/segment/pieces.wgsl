@@ -1,7 +1,7 @@
 // Divides a segment into straight pieces, which share their ends exactly, so that no ray tunnels between two; and intersects them with the
 // items of an acceleration structure, in its order.
 
-// The bits that mark what a segment is near: one for the structure, the others for shapes in lists.
+// The bits that mark the objects near a segment: one for the structure, the others for shapes in lists.
 const NEAR_STRUCTURE: u32 = 0x80000000u;
 const NEAR_LISTED: u32 = 0x7fffffffu;
 

@@ -26,7 +26,7 @@ fn follow_quickly(ray: ptr<function, Ray>) -> Quick {
     return Quick(Segment(start[0].xyz, start[1].xyz, end[0].xyz, end[1].xyz, 0.0), sure);
 }
 
-// Follows the same segment with a test before each step, and returns what it is near.
+// Follows the same segment with a test before each step, and returns the bits of the objects near it.
 fn follow_surely(start: Ray, next: ptr<function, Ray>, segment: ptr<function, Segment>, near: u32) -> u32 {
     if !WRITES_CHORDS_OUT {
         return near;

@@ -97,7 +97,7 @@ fn walk_needed(pixel: vec2u) -> bool {
     return dispatch.again == 0u || pixel_walk[place_in_tile(pixel)] != 0u;
 }
 
-// Stores the state after all walks of a segment, and returns `true` if they are incomplete.
+// Returns `true` if a walk of the segment is incomplete, after all of them.
 fn walk_unfinished(pixel: vec2u) -> bool {
     if !RESUMES {
         return false;

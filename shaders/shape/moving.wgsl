@@ -34,7 +34,7 @@ fn note_passage(p: Phase, tau: Real) {
     met_velocity = path_velocity(p[1].xyz);
 }
 
-// Returns a vector rotated about the axis, by the cosine and sine of the angle.
+// Returns a vector rotated about the axis, by the sine and cosine of the angle.
 fn turned(own: Travel, d: Real3, turn: Real2) -> Real3 {
     let along = dot(d, own.axis) * own.axis;
     return along + turn.y * (d - along) + turn.x * cross(own.axis, d);

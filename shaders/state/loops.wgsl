@@ -10,7 +10,7 @@ const END_ROOM: u32 = 2000u;
 
 // The iterations so far, over all loops of this invocation and of those that it runs in step with.
 var<private> work: u32;
-// The largest count of lanes that run together.
+// The largest count in each set of lanes that run in step.
 var<workgroup> lanes_work: array<atomic<u32>, GROUP>;
 var<private> own_lanes: u32;
 

@@ -1,6 +1,6 @@
 // Tracks the media that a ray is in. The ray carries the set of the transparent objects that it is inside of, as bits in the order of their
-// priority: the medium around it is that of the lowest bit. Closed mirrors also have bits, after all others, so that a ray knows from which
-// side it meets them. The set changes only where a ray crosses a surface.
+// priority: the lowest bit selects the medium around it. Closed mirrors also have bits, after all others, so that a ray has the information
+// from which side it meets them. The set changes only where a ray crosses a surface.
 
 struct Region {
     // Elements of a uniform array are 16 bytes apart.

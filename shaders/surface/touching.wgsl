@@ -45,8 +45,8 @@ fn met_surface(met: ptr<function, Hit>, x: Real3) -> Surface {
     return hit_surface((*met).primitive, x);
 }
 
-// Returns the set of a ray after it has passed the surface at x, that of the object `own`: a ray that leaves this surface moves along its
-// normal, leaves objects with the same normal, and enters objects with the opposite one.
+// Returns the set of a ray after it has passed the surface of the object `own` at x: a ray that leaves this surface moves along its normal,
+// leaves objects with the same normal, and enters objects with the opposite one.
 fn set_beyond(own: u32, surface: Surface, x: Real3) -> u32 {
     if !TOUCHES {
         return inside ^ own;

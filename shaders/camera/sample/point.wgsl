@@ -1,7 +1,7 @@
 // Computes sample points in their order. With adaptive sampling the first ray of a pixel passes through its top left corner, which it
 // shares with its neighbors. If footprints are measured, the rays through the corners are separate and are not samples.
 
-// The sample number that stands for the corners.
+// The sample number that represents the corners.
 const CORNERS: u32 = 0x80000000u;
 
 struct SampleShare {

@@ -6,7 +6,7 @@ fn lit_by_grid(material: Material, color: vec3f, lit: Lit) -> vec3f {
     for (var i = 0u; i < arrayLength(&grid_lights); i++) {
         let light = grid_lights[i];
         let x = (vec3f(lit.x) - light.lo) / light.h;
-        // In bricks, where there are any at the position of the lookup.
+        // Uses bricks if there are any at the position of the lookup.
         let fine = f32(light.refine);
         let near = x + LIGHT_OFF / fine * lit.normal;
         let refined = light_brick_at(light, near) != 0u;
@@ -57,7 +57,8 @@ fn grid_strength(light: GridLight, x: vec3f, lit: Lit, f: vec4f, cut: f32) -> f3
 const SHADE: f32 = 0.25;
 const FADE: f32 = 0.5;
 
-// Returns the fluence at x, in units of voxels, as a share of the fluence at the brightest position around, or on a straight path.
+// Returns the fluence at x, in units of voxels, as a share of the fluence at the brightest position around or on a straight path, whichever
+// is less.
 fn even_share(light: GridLight, x: vec3f, lit: Lit, fluence: f32, cut: f32) -> f32 {
     let way = lit.x - light.position;
     let expected = min(1.0 / dot(way, way), brightest_around(light, x + 1.5 / cut * lit.normal, cut));

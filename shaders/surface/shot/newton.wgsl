@@ -15,7 +15,8 @@ const SHORTENINGS: u32 = 4u;
 // After this many steps a path that is still off by HOPELESS of the distance between light and position is abandoned.
 const HOPELESS_AT: u32 = 5u;
 const HOPELESS: Real = 0.2;
-// In radians: the largest step, the angle between neighbors, between those of the bundle spread, and between paths that count as one.
+// The largest step, the angle between neighbors, the one between the rays of the bundle, and the one within which paths are equal, in
+// radians.
 const LONGEST: Real = 0.3;
 const NEIGHBOUR: Real = 2e-3;
 const BUNDLE: Real = 4e-3;

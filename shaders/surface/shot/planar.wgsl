@@ -152,7 +152,7 @@ fn shot_along(plane: ShotPlane, off: Real, wanted: Real) -> Shot {
     let inner = shot_orbit(plane, off + apart, MANY_STEPS).u - shot_orbit(plane, off - apart, MANY_STEPS).u;
     let outer = shot_orbit(plane, off + 2.0 * apart, MANY_STEPS).u - shot_orbit(plane, off - 2.0 * apart, MANY_STEPS).u;
     let slope = (8.0 * inner - outer) / (12.0 * apart);
-    // By the angle the distance changes by slope/u², of which the component perpendicular to the path counts. The width of the bundle
+    // The distance changes with the angle by slope/u², of which the component perpendicular to the path counts. The width of the bundle
     // across the plane is the distance of the position from the line through the center and the light.
     let square = o.h * o.u / length(v);
     let wide = abs(real_sin_cos(plane.sweep).x) / (wanted * turn.x);
