@@ -70,8 +70,8 @@ fn filter_end(ray: Ray, end: PathPoint) {
     }
 }
 
-// Adds the absorption of that step after a surface has put the ray into another region and on a branch; `came_through` is the region that
-// the ray passed.
+// Adds the absorption of the last step, after a surface has put the ray into another region and on a branch; `came_through` is the region
+// that the ray passed.
 fn filter_left(ray: Ray, end: PathPoint, came_through: u32) {
     let now = region_bits();
     enter_set(came_through);

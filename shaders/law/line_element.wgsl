@@ -1,6 +1,6 @@
 // The motion of light in a custom metric. With U = (v, −1), g U′ = force + κ g U, and τ is the coordinate time, so that U′ has no time
-// component: this condition determines κ. If the slice of constant time is not spacelike (γ not positive, or α² ≤ 0), the result is not a
-// number, and the ray fails.
+// component: this condition determines κ. If the slice of constant time is not spacelike (γ not positive) or the signature is wrong (α² ≤
+// 0), the result is not a number, and the ray fails.
 
 // The metric g: components xx, yy, zz and yz, xz, xy of space; xt, yt, zt; and tt of time.
 struct Metric {

@@ -4,7 +4,7 @@
 struct Medium {
     origin: Real3,
     up: Real3,
-    // The indices of its points in `profile`.
+    // The index of its first point in `profile`, and the number of its points.
     first: u32,
     points: u32,
 }

@@ -1,4 +1,4 @@
-// Closed forms need no trial step and no first rate.
+// Replaces the trial steps and the first rate of a control for closed forms, which need neither.
 
 fn first_step(p: Phase) -> Real {
     return 0.0;

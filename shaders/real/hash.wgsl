@@ -1,4 +1,4 @@
-// Hashes one number to another, practically random one.
+// Computes a pseudo-random number from another number.
 
 // Returns the output function of PCG (O'Neill 2014).
 fn hashed(seed: u32) -> u32 {

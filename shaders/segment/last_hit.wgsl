@@ -1,4 +1,4 @@
-// Remembers the surface that a ray left: a ray reflected by a flat mirror cannot meet it again in the segment that starts there, wherever
+// Stores the surface that a ray left: a ray reflected by a flat mirror cannot meet it again in the segment that starts there, wherever
 // rounding puts that start. Between passes the surface is in the stored hit, whose fraction is then the index of the segment that starts on
 // it.
 
