@@ -38,7 +38,7 @@ const MEBIBYTE: f64 = 1_048_576.0;
 const PLACES: u32 = 4000;
 /// Places that get less than this part of what the lamp would give them on a straight line are not compared: they lie in shadow.
 const FAINT: f64 = 0.01;
-/// A pixel with less than this part of what it has without shadows, or of the mean, is in shadow: what winds about a centre is fainter.
+/// A pixel with less than this part of what it has without shadows, or of the mean, is in shadow: what winds about a center is fainter.
 const LIT: f32 = 0.05;
 
 /// Directions by voxel size, and time against error.
@@ -138,7 +138,7 @@ fn directions(bench: &Bench, name: &str, scene: &Scene, table: &mut Table) -> Re
     Ok(points)
 }
 
-/// One colour of a picture, the whole time that it took, and that of the grid.
+/// One color of a picture, the whole time that it took, and that of the grid.
 fn picture(bench: &Bench, scene: &Scene) -> Result<(Vec<f32>, f64), RenderError> {
     let mut renderer = Renderer::new(bench.gpu, scene, RenderSettings::default())?;
     let grid = renderer.light_reports().iter().map(|report| report.wall.as_secs_f64()).sum();

@@ -88,7 +88,7 @@ fn angles(eta: f64) -> Vec<f64> {
     angles
 }
 
-/// Beer and Lambert's law: the part cᵈ of the light that is left after a distance d, for each colour component c (T Fig. 9).
+/// Beer and Lambert's law: the part cᵈ of the light that is left after a distance d, for each color component c (T Fig. 9).
 #[must_use]
 pub fn beer_chart(filters: &[f64], farthest: f64) -> Chart {
     let series = |&c: &f64| {
@@ -102,14 +102,14 @@ pub fn beer_chart(filters: &[f64], farthest: f64) -> Chart {
     )
 }
 
-/// The angle ln(R/S) cot ψ in radians by which a ray has gone round the centre of an inverse-r sphere where it leaves
+/// The angle ln(R/S) cot ψ in radians by which a ray has gone round the center of an inverse-r sphere where it leaves
 /// it, if it starts at the radius S at the angle ψ (degrees) to the circle there (T Eq. 21).
 #[must_use]
 pub fn spiral_angle(ratio: f64, psi: f64) -> f64 {
     ratio.ln() / psi.to_radians().tan()
 }
 
-/// That angle against ψ (T Fig. 39): in the quadrants III and IV the formula holds, but the ray winds into the centre.
+/// That angle against ψ (T Fig. 39): in the quadrants III and IV the formula holds, but the ray winds into the center.
 #[must_use]
 pub fn spiral_chart(ratio: f64) -> Chart {
     let branch = |name: &str, from: f64| {
@@ -125,7 +125,7 @@ pub fn spiral_chart(ratio: f64) -> Chart {
 }
 
 /// Rays from [S, 0] in a sphere of radius R = 1, at angles ψ (degrees) to the circle there (T Figs. 38 and 40): outwards to R,
-/// inwards to near the centre, once round on the circle.
+/// inwards to near the center, once round on the circle.
 #[must_use]
 pub fn spiral_plot<'n>(ratio: f64, psis: &[f64], names: &'n [String]) -> PathPlot<'n> {
     let plane = CutPlane { point: DVec3::ZERO, right: DVec3::X, up: DVec3::Y };

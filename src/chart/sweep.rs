@@ -49,7 +49,7 @@ pub struct Point {
     pub rejected: f64,
     /// The drift of each quantity that the law keeps: 95 of 100 rays drift by no more.
     pub drifts: Vec<(&'static str, f64)>,
-    /// Root of the mean square difference of the picture's colours, each cut to [0, 1], from the reference picture's.
+    /// Root of the mean square difference of the picture's colors, each cut to [0, 1], from the reference picture's.
     pub image: f64,
 }
 

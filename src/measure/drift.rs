@@ -1,6 +1,6 @@
 //! What a law keeps along a ray: a check of accuracy that needs no truth.
 //!
-//! *Theory.* Force centres keep the energy ½|v|² + V, and a single one also the angular momentum x × v; a Schwarzschild hole keeps
+//! *Theory.* Force centers keep the energy ½|v|² + V, and a single one also the angular momentum x × v; a Schwarzschild hole keeps
 //! h = |x × v| and E² = ṙ² + (1 − 2M/r) h²/r², which together are the null condition; a medium keeps |v| = n (noise
 //! is known where it is 1, outside an explosion). Flows keep nothing. By how much the end of a ray departs from its start is the drift, relative to what the quantity is made of.
 

@@ -5,7 +5,7 @@
 //! distances between runs, and how fast they shrink, tell that the last one is right; what the search itself misses a place by is part
 //! of them.
 //!
-//! *Practice.* The program that is compiled is the one that goes on to find all paths. Shooting's own method about a single centre
+//! *Practice.* The program that is compiled is the one that goes on to find all paths. Shooting's own method about a single center
 //! takes the same steps at every setting, and tells what they are off by.
 
 use std::cmp::Reverse;

@@ -1,16 +1,16 @@
-//! The colour of black bodies.
+//! The color of black bodies.
 //!
-//! *Theory.* Planck's law, seen by the CIE's standard observer of 1931 through sums of lobes (Wyman, Sloan and Shirley 2013), in linear
-//! sRGB. What is shifted by g looks like a black body of g times the temperature: its brightness is in that too.
+//! *Theory.* Planck's law, weighted by the CIE 1931 standard observer in the multi-lobe fit of Wyman, Sloan and Shirley (2013), in linear
+//! sRGB. Black-body radiation with redshift g is black-body radiation of g times the temperature, including its brightness.
 //!
-//! *Practice.* Below some 1900 K the colour is outside of what screens show, and its blue is 0 rather than less.
+//! *Practice.* Below about 1900 K the color is outside the sRGB gamut, and its blue channel is 0 instead of negative.
 
 use glam::{DMat3, DVec3};
 
-/// Linear sRGB in the luminance of one, and the logarithm of that luminance, in units of its own; at so many kelvins.
+/// Returns the linear sRGB color with luminance 1 and the natural logarithm of the luminance, for a temperature in kelvins.
 #[must_use]
 pub fn color(kelvin: f64) -> (DVec3, f64) {
-    // h c / k, in nm K; in the middle of what eyes see, so that no power of e is beyond numbers.
+    // h c / k, in nm K. The exponents are relative to the middle of the visible range, so that no power of e overflows.
     const C2: f64 = 1.438_776_877e7;
     let middle = C2 / (560.0 * kelvin);
     let steps = 94;

@@ -1,14 +1,14 @@
-//! The rooms: everything that the program knows of a kind of law, medium, material, shape, camera, falloff, method or control.
+//! The registry of kinds: all laws, media, materials, shapes, cameras, fall-offs, methods and step-size controls.
 //!
-//! *Theory.* A kind is one Rust file here beside one WGSL file in `shaders/`. The Rust file says how its keys are read and what they
-//! mean, which WGSL parts keep its contract and what values those are fed, and every property that anything
-//! else asks for: invariants, captures, outlines, the order of a law, the closed form of a medium. The traits [`Law`], [`Medium`],
-//! [`Surface`], [`Shape`] and [`Projection`] and the rows [`method::Kind`], [`control::Kind`] and [`falloff::Kind`] are those
-//! questions; the rest of the program asks them and knows no kind by name.
+//! *Theory.* A kind is one Rust file here with one WGSL file in `shaders/`. The Rust file defines how its keys are read, which WGSL modules
+//! implement its contract, their values, and every property that other code needs: invariants, capture regions, outlines, the order of a
+//! law, the closed form of a medium. The traits [`Law`], [`Medium`], [`Surface`], [`Shape`] and [`Projection`] and the rows
+//! [`method::Kind`], [`control::Kind`] and [`falloff::Kind`] define these properties; the rest of the program uses them and depends on no
+//! kind by name.
 //!
-//! *Practice.* Each folder's `mod.rs` has its contract and its table, with one line for each kind. Nothing here knows of a GPU: parts
-//! are names, and values are numbers by the names of WGSL's members. A user of the library implements [`Law`] or [`Medium`] for a
-//! kind of their own, with WGSL as text, and puts it into a [`Scene`](crate::scene::Scene).
+//! *Practice.* The `mod.rs` of each folder contains its contract and its table, with one line per kind. Nothing here depends on a GPU:
+//! modules are names, and values are numbers with the names of WGSL members. Users of the library implement [`Law`] or [`Medium`] for a
+//! custom kind, with WGSL as text, and put it into a [`Scene`](crate::scene::Scene).
 
 pub mod black_body;
 pub mod camera;

@@ -1,37 +1,37 @@
 //! Closed forms: motions of light that need no solver.
 //!
-//! *Practice.* Media whose paths have the same form share a motion; what they differ by is the medium's own part.
+//! *Practice.* Media whose paths have equal form share a motion; a module of the medium supplies the differences.
 
 use super::same::named;
 
 /// A motion in closed form.
 pub struct ClosedForm {
-    /// Its name.
+    /// The name.
     pub name: &'static str,
-    /// The WGSL parts that keep the contract `motion`.
+    /// The WGSL modules that implement the contract `motion`.
     pub parts: &'static [&'static str],
-    /// May one step lead through a whole region, where nothing else is in it?
+    /// Is `true` if one step may cross a whole region that contains nothing else.
     pub leaps: bool,
-    /// Are its paths straight?
+    /// Is `true` if paths are straight.
     pub is_line: bool,
-    /// Has its stride to know what it may meet, besides the surface that it leaves by?
+    /// Is `true` if the stride depends on possible obstacles, in addition to the surface where the path leaves.
     pub meets_obstacles: bool,
-    /// How a ray starts there: by a part, or as the region's index has it.
+    /// The initialization of a ray.
     pub start: Start,
 }
 
-/// Who says how a ray starts.
+/// The rule for the velocity of a ray at its start.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Start {
-    /// The motion's own part.
+    /// A WGSL module of the motion defines it.
     Own,
-    /// With |v| = n.
+    /// The speed is |v| = n.
     ByIndex,
-    /// By the index if there is one, else as it is given.
+    /// The speed is |v| = n if there is an index; otherwise v is unchanged.
     ByIndexIfAny,
 }
 
-/// Straight on.
+/// The straight motion.
 pub static STRAIGHT: ClosedForm = ClosedForm {
     name: "straight",
     parts: &["motion/straight", "motion/pace_tau", "motion/closed"],
@@ -41,7 +41,7 @@ pub static STRAIGHT: ClosedForm = ClosedForm {
     start: Start::ByIndexIfAny,
 };
 
-/// As on a spring.
+/// The harmonic motion.
 pub static HARMONIC: ClosedForm = ClosedForm {
     name: "harmonic",
     parts: &["motion/harmonic", "motion/pace_tau", "motion/closed"],
@@ -51,7 +51,7 @@ pub static HARMONIC: ClosedForm = ClosedForm {
     start: Start::ByIndex,
 };
 
-/// Along logarithmic spirals.
+/// The motion along logarithmic spirals.
 pub static SPIRAL: ClosedForm = ClosedForm {
     name: "spiral",
     parts: &["motion/spiral", "motion/spiral_stride", "motion/closed"],
@@ -61,7 +61,7 @@ pub static SPIRAL: ClosedForm = ClosedForm {
     start: Start::Own,
 };
 
-/// In circles.
+/// The motion along circles.
 pub static CIRCLE: ClosedForm = ClosedForm {
     name: "circle",
     parts: &["motion/circle", "motion/closed"],
@@ -71,7 +71,7 @@ pub static CIRCLE: ClosedForm = ClosedForm {
     start: Start::ByIndex,
 };
 
-/// Along parabolas.
+/// The motion along parabolas.
 pub static PARABOLA: ClosedForm = ClosedForm {
     name: "parabola",
     parts: &["motion/parabola", "motion/pace_tau", "motion/closed"],
@@ -82,7 +82,7 @@ pub static PARABOLA: ClosedForm = ClosedForm {
 };
 
 impl ClosedForm {
-    /// Returns `true` if a path may end at a given τ: its parts know how far that is.
+    /// Returns `true` if a path may end at a given τ, which requires modules that measure τ.
     #[must_use]
     pub fn ends(&self) -> bool {
         self.parts.contains(&"motion/pace_tau")

@@ -1,58 +1,58 @@
-//! WGSL as kinds name it, and what it costs.
+//! References to WGSL code.
 
 use std::borrow::Cow;
 use std::sync::Arc;
 
-/// A piece of WGSL.
+/// A piece of WGSL code.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Wgsl {
-    /// A part of `shaders/`, by its path without the extension.
+    /// A module of `shaders/`, by its path without the extension.
     Part(Cow<'static, str>),
-    /// Text of a user's own, or written for a scene.
+    /// Custom text, or text generated for a scene.
     Text {
-        /// What errors call it: a path, or a name below `generated/`.
+        /// The name in error messages: a path, or a name below `generated/`.
         file: Cow<'static, str>,
-        /// The WGSL.
+        /// The WGSL code.
         text: Cow<'static, str>,
     },
-    /// A file of the user's own.
+    /// A custom file.
     Own(OwnWgsl),
 }
 
-/// WGSL of the user's own: checked against what it has to promise, and kept from everything else.
+/// Custom WGSL code, which is checked for its required functions and cannot use other names.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct OwnWgsl {
-    /// What errors call it.
+    /// The name in error messages.
     pub file: String,
-    /// The WGSL.
+    /// The WGSL code.
     pub text: Arc<str>,
-    /// The functions that others call.
+    /// The functions that other modules call.
     pub promises: Vec<Promise>,
 }
 
-/// A function that a file of the user's own has.
+/// A function that a custom file may or must define.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Promise {
-    /// Its signature, as `fn name(x: Real3) -> Real`.
+    /// The signature, such as `fn name(x: Real3) -> Real`.
     pub signature: &'static str,
-    /// The part that has it where the file has not; none if the file must.
+    /// The module that defines the function if the file does not; `None` if the file must define it.
     pub usual: Option<&'static str>,
 }
 
 impl Promise {
-    /// A function that must be there.
+    /// Creates a function that must be defined.
     #[must_use]
     pub const fn required(signature: &'static str) -> Self {
         Self { signature, usual: None }
     }
 
-    /// A function that may be there, and the part that has it otherwise.
+    /// Creates a function that may be defined, with the module that otherwise defines it.
     #[must_use]
     pub const fn usual(signature: &'static str, part: &'static str) -> Self {
         Self { signature, usual: Some(part) }
     }
 
-    /// The function's name.
+    /// Returns the name of the function.
     #[must_use]
     pub fn name(&self) -> &'static str {
         let name = self.signature.strip_prefix("fn ").unwrap_or(self.signature);
@@ -61,7 +61,7 @@ impl Promise {
 }
 
 impl Wgsl {
-    /// Parts of `shaders/`.
+    /// Returns these modules of `shaders/`.
     #[must_use]
     pub fn parts(names: &[&'static str]) -> Vec<Self> {
         names.iter().map(|name| Self::Part((*name).into())).collect()

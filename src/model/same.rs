@@ -1,13 +1,13 @@
-//! Equality of kinds: of those that are known by their trait alone, and of those that are rows of a table.
+//! Equality of kinds, both for trait objects and for rows of a table.
 
 use std::any::Any;
 
-/// What can be compared with any other kind, and asked which it is. Every kind that is [`PartialEq`] is that.
+/// A value that can be compared with any other kind and downcast. Every [`PartialEq`] kind implements it.
 pub trait Same: Any {
-    /// Is the other of the same kind, and equal?
+    /// Returns `true` if the other value has the same type and is equal.
     fn is_same(&self, other: &dyn Any) -> bool;
 
-    /// Itself, to be asked for its kind.
+    /// Returns the value for a downcast.
     fn as_any(&self) -> &dyn Any;
 }
 
@@ -21,7 +21,7 @@ impl<T: PartialEq + Any> Same for T {
     }
 }
 
-/// Equality of a trait's objects, and the question which kind one is.
+/// Implements equality and downcasts for trait objects.
 macro_rules! same {
     ($kind:ident) => {
         impl PartialEq for dyn $kind {
@@ -31,7 +31,7 @@ macro_rules! same {
         }
 
         impl dyn $kind {
-            /// As this kind, if it is that.
+            /// Returns the value as this kind, if it is one.
             #[must_use]
             pub fn downcast<T: 'static>(&self) -> Option<&T> {
                 self.as_any().downcast_ref()
@@ -41,7 +41,7 @@ macro_rules! same {
 }
 pub(super) use same;
 
-/// Rows of a table are equal, and printed, by their `name`.
+/// Implements equality and `Debug` of table rows by their `name`.
 macro_rules! named {
     ($row:ident) => {
         impl PartialEq for $row {

@@ -1,57 +1,57 @@
-//! Host values by the names that WGSL has for them: what a kind tells its shader.
+//! Host values with the names of WGSL members, which kinds pass to their shaders.
 
 use std::borrow::Cow;
 
 use glam::{DVec2, DVec3, DVec4};
 
-/// A member's value.
+/// The value of a member.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Value {
-    /// f32 or f64, as WGSL has it; so are the vectors of them.
+    /// An f32 or f64, as declared in WGSL; this also applies to vectors of floats.
     Float(f64),
-    /// u32.
+    /// A u32.
     Uint(u32),
-    /// vec2f.
+    /// A vec2f.
     Vec2(DVec2),
-    /// vec3f.
+    /// A vec3f.
     Vec3(DVec3),
-    /// vec4f.
+    /// A vec4f.
     Vec4(DVec4),
-    /// vec2u.
+    /// A vec2u.
     Uint2([u32; 2]),
-    /// vec3u.
+    /// A vec3u.
     Uint3([u32; 3]),
-    /// vec4u.
+    /// A vec4u.
     Uint4([u32; 4]),
 }
 
 /// The members of a WGSL struct, in any order.
 pub type Row = Vec<(Cow<'static, str>, Value)>;
 
-/// The rows of a binding: one for a struct, as many as it has elements for an array.
+/// The rows of a binding: one for a struct, one per element for an array.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Binding {
-    /// The variable's name in WGSL.
+    /// The name of the variable in WGSL.
     pub name: Cow<'static, str>,
-    /// Its elements.
+    /// The elements.
     pub rows: Vec<Row>,
 }
 
 impl Binding {
-    /// One struct.
+    /// Creates a binding of one struct.
     #[must_use]
     pub fn one(name: &'static str, row: Row) -> Self {
         Self { name: name.into(), rows: vec![row] }
     }
 
-    /// An array of structs.
+    /// Creates a binding of an array of structs.
     #[must_use]
     pub fn list(name: impl Into<Cow<'static, str>>, rows: Vec<Row>) -> Self {
         Self { name: name.into(), rows }
     }
 }
 
-/// `member: Kind(value), …` as a [`Row`].
+/// Writes `member: Kind(value), …` as a [`Row`].
 macro_rules! row {
     ($($member:ident: $kind:ident($value:expr)),* $(,)?) => {
         vec![$((stringify!($member).into(), $crate::model::Value::$kind($value))),*]
@@ -59,8 +59,8 @@ macro_rules! row {
 }
 pub(crate) use row;
 
-/// The numbers of a kind, each stated once: `field: Type as Value = reading,` is a field of the struct, how it is read as an `Option`, and
-/// the member of its name in WGSL; without `as Value` there is no such member. All are read before any is missed.
+/// Declares the parameters of a kind, each once: `field: Type as Value = reading,` declares a field of the struct, reads it as an `Option`,
+/// and passes it to WGSL as a member of this name unless `as Value` is missing. All are read before the first error returns.
 macro_rules! fields {
     ($(#[$meta:meta])* $kind:ident($($given:ident: $given_type:ty),*) {
         $($(#[$doc:meta])* $field:ident: $type:ty $(as $value:ident)? = $read:expr,)*

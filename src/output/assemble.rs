@@ -68,7 +68,7 @@ pub fn assemble(parts: &[PathBuf], outputs: &[PathBuf]) -> Result<(), OutputErro
 /// A file of the whole picture in the making.
 enum Whole {
     Exr(Box<ExrWriter>),
-    /// With the places of its colours, and of alpha if it has that, among the parts' channels, and how many of those there are.
+    /// With the places of its colors, and of alpha if it has that, among the parts' channels, and how many of those there are.
     Png(Box<dyn ImageWriter>, Vec<usize>, usize, usize),
 }
 

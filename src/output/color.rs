@@ -38,7 +38,7 @@ pub fn linear_from_srgb(x: f64) -> f64 {
     if x <= 0.04045 { x / 12.92 } else { ((x + 0.055) / 1.055).powf(2.4) }
 }
 
-/// The linear values, from 0 to 1, that are shown of a linear colour multiplied by `gain`.
+/// The linear values, from 0 to 1, that are shown of a linear color multiplied by `gain`.
 #[must_use]
 pub fn shown(color: [f32; 3], gain: f64, tonemap: Tonemap) -> [f64; 3] {
     if color.iter().any(|c| !c.is_finite() || *c < 0.0) {

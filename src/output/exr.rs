@@ -5,7 +5,7 @@
 //! header, a table of where each block lies (filled in at the end), blocks. Attributes are sorted by name, since the
 //! crate keeps them in a map without an order. Host memory: one band as bytes, and its compressed blocks.
 //!
-//! Channels: `R`, `G`, `B`, `A` where the picture has alpha (the colours are multiplied by it), and those of
+//! Channels: `R`, `G`, `B`, `A` where the picture has alpha (the colors are multiplied by it), and those of
 //! [`channels`](super::band::channels); floats are 32 bit, ids are unsigned integers.
 
 use std::{

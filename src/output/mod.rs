@@ -3,7 +3,7 @@
 //! Every file is written whole or not at all ([`AtomicFile`]), and can be opened before the work whose result it
 //! will hold, so that a path that cannot be written is found first. Pictures are fed in bands of full-width rows, from
 //! the top down ([`open`], [`ImageWriter`]): a writer holds one band of its own and a compressed tail, so that the
-//! memory grows with the band and not with the picture. A PNG holds colour as it is to be looked at ([`png`]); an
+//! memory grows with the band and not with the picture. A PNG holds color as it is to be looked at ([`png`]); an
 //! EXR holds every plane bit for bit ([`exr`]), also of a part of a picture, and parts are put
 //! together again ([`assemble()`]). Rays and results are CSV ([`csv`]), plots are SVG or PNG ([`plot`]), and a
 //! page of HTML shows them beside their tables ([`report`]).
@@ -47,15 +47,15 @@ pub struct FileSettings {
     pub size: [u32; 2],
     /// The part of it that the file holds: a PNG forgets where that was, an EXR has it as its data window.
     pub window: Window,
-    /// Stops of light: colours are multiplied by two to this power (PNG only).
+    /// Stops of light: colors are multiplied by two to this power (PNG only).
     pub exposure: f64,
-    /// How bright colours are brought into range (PNG only).
+    /// How bright colors are brought into range (PNG only).
     pub tonemap: Tonemap,
     /// Bits per channel, 8 or 16 (PNG only).
     pub bits: u8,
     /// Does the picture carry alpha?
     pub alpha: bool,
-    /// The planes to write besides colour (EXR only).
+    /// The planes to write besides color (EXR only).
     pub layers: Vec<Layer>,
     /// Pairs of key and text stored in the file: PNG text chunks, EXR text attributes.
     /// Keys are 1 to 79 printable ASCII characters, each used once; text is any UTF-8 without NUL.
@@ -63,7 +63,7 @@ pub struct FileSettings {
 }
 
 impl FileSettings {
-    /// Eight bits of plain colour: no exposure, tone map, alpha, layers or metadata.
+    /// Eight bits of plain color: no exposure, tone map, alpha, layers or metadata.
     #[must_use]
     pub fn new(size: [u32; 2]) -> Self {
         Self {

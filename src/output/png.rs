@@ -32,7 +32,7 @@ pub struct PngWriter {
     file: AtomicFile,
 }
 
-/// How colours become bytes.
+/// How colors become bytes.
 struct Shown {
     gain: f64,
     tonemap: Tonemap,
@@ -85,7 +85,7 @@ impl Shown {
         let mut out = Vec::new();
         for i in start..start + band.width as usize {
             let color = [band.color[0][i], band.color[1][i], band.color[2][i]];
-            // A PNG's colour is that of the part that shows something.
+            // A PNG's color is that of the part that shows something.
             let alpha = band.alpha.as_ref().filter(|_| self.alpha).map(|alpha| alpha[i]);
             let color = alpha.map_or(color, |alpha| color.map(|c| if alpha > 0.0 { c / alpha } else { c }));
             let color = shown(color, self.gain, self.tonemap);

@@ -30,7 +30,7 @@ pub struct Light {
 pub struct LightGrid {
     /// Voxels along the longest side of what is lit.
     pub voxels: u32,
-    /// Parts along each axis of voxels that disagree with their neighbours; 1 for none.
+    /// Parts along each axis of voxels that disagree with their neighbors; 1 for none.
     pub refine: u32,
     /// Paths to what is lit; to the parts there are four times as many.
     pub paths: u32,
@@ -88,7 +88,7 @@ pub enum Shadows {
 pub enum Clear {
     /// They let it through undiminished.
     Open,
-    /// They let through as much as their surfaces transmit and their media leave, with its colour, straight on.
+    /// They let through as much as their surfaces transmit and their media leave, with its color, straight on.
     Filtered,
     /// They shut it out as what is opaque does.
     Closed,

@@ -1,7 +1,7 @@
 //! Scenes as plain values: what a TOML file says, checked, with its meshes and pictures loaded.
 //!
 //! *Theory.* A scene is a law of light, a way to follow it, a camera, things to hit and a sky to escape to. Lengths
-//! are in scene units, angles in degrees, colours linear, G = c = 1.
+//! are in scene units, angles in degrees, colors linear, G = c = 1.
 //!
 //! *Practice.* [`Scene::load`] reads a file in three steps: `document` (the TOML as written, every value with its place in
 //! the file), then `check` (documents to the values below, all mistakes found in one run), with `mesh` and
@@ -220,7 +220,7 @@ impl Scene {
             .demands(ends, self.rays.segment.has_chords())
     }
 
-    /// Lights inside of what captures rays, such as a horizon: none of their light comes out where shadows are cast, and their colour is
+    /// Lights inside of what captures rays, such as a horizon: none of their light comes out where shadows are cast, and their color is
     /// black. By their places in the file.
     #[must_use]
     pub fn swallowed_lights(&self) -> Vec<usize> {
@@ -243,7 +243,7 @@ impl Scene {
         self.objects.iter().enumerate().filter_map(remark).collect()
     }
 
-    /// Does light from the lights go where it goes in another scene? The camera, the sky and colours that show only there do not matter.
+    /// Does light from the lights go where it goes in another scene? The camera, the sky and colors that show only there do not matter.
     #[must_use]
     pub fn is_lit_as(&self, other: &Self) -> bool {
         *self.law == *other.law
@@ -254,7 +254,7 @@ impl Scene {
             && self.lights == other.lights
     }
 
-    /// The angle of a pixel at the picture's centre, in radians.
+    /// The angle of a pixel at the picture's center, in radians.
     #[must_use]
     pub fn pixel_angle(&self) -> Option<f64> {
         self.camera.as_ref()?.pixel_angle(self.image.size)

@@ -35,7 +35,7 @@ pub struct Rays {
     pub accelerate: Accelerate,
     /// Does light go from surface to surface, and how far? Else what surfaces show is the light of the scene's lights.
     pub paths: Option<Paths>,
-    /// Of light, nanometres, where it is not drawn; it matters to dispersion alone.
+    /// Of light, nanometers, where it is not drawn; it matters to dispersion alone.
     pub wavelength: f64,
 }
 
@@ -94,7 +94,7 @@ pub struct Auto {
 /// The error in a ray's direction that 99 of 100 rays shall stay under.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Accuracy {
-    /// In parts of the angle of a pixel at the picture's centre.
+    /// In parts of the angle of a pixel at the picture's center.
     Pixels(f64),
     /// In radians.
     Radians(f64),
@@ -126,14 +126,14 @@ impl Segment {
 /// The bounding sphere.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Bound {
-    /// Its centre.
+    /// Its center.
     pub center: DVec3,
     /// Its radius.
     pub radius: f64,
 }
 
 impl Bound {
-    /// Its centre, and where the law leads to another side that of the sphere there.
+    /// Its center, and where the law leads to another side that of the sphere there.
     #[must_use]
     pub fn centers(&self, law: Option<&dyn Law>) -> Vec<DVec3> {
         let throat = law.and_then(|law| law.facts().throat);

@@ -5,7 +5,7 @@ use glam::DVec3;
 /// `[sky]`.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Sky {
-    /// One colour; black unless the scene says otherwise.
+    /// One color; black unless the scene says otherwise.
     Color(DVec3),
     /// Nothing: no light comes from it, and files carry how much of a pixel shows it, as alpha.
     Transparent,

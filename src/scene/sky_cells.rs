@@ -10,7 +10,7 @@ use super::{Picture, Scene, Sky};
 /// A globe in cells, equal in both angles, that lies as an equirectangular picture does.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SkyCells {
-    /// What is brighter than the mean, of all colours together: radiance times solid angle.
+    /// What is brighter than the mean, of all colors together: radiance times solid angle.
     pub total: f32,
     /// The part of it up to the end of each row, from the top.
     pub rows: Vec<f32>,
@@ -19,7 +19,7 @@ pub struct SkyCells {
 }
 
 impl SkyCells {
-    /// The cells of a sky whose radiance, all colours together, is `mean(column, row)` in the mean over a cell.
+    /// The cells of a sky whose radiance, all colors together, is `mean(column, row)` in the mean over a cell.
     fn of([columns, rows]: [u32; 2], mean: impl Fn(u32, u32) -> f64 + Sync) -> Self {
         let angle = |row: u32| PI * f64::from(row) / f64::from(rows);
         let solid = |row: u32| 2.0 * PI / f64::from(columns) * (angle(row).cos() - angle(row + 1).cos());
@@ -57,7 +57,7 @@ fn sums(values: &[f64]) -> Vec<f32> {
 /// The variance of the sky's light, over the square of its mean, for which one more ray is worth its time.
 const WORTH_AIMING: f64 = 0.25;
 
-/// The sums over a picture's pixels of 1, their light, all colours together, and its square, by a weight at places from -1 to 1 both ways.
+/// The sums over a picture's pixels of 1, their light, all colors together, and its square, by a weight at places from -1 to 1 both ways.
 fn weighed(picture: &Picture, weight: impl Fn(f64, f64) -> f64 + Sync) -> DVec3 {
     let [width, height] = picture.size.map(f64::from);
     let place = |k: usize, size: f64| 2.0 * (k as f64 + 0.5) / size - 1.0;
@@ -122,7 +122,7 @@ impl Scene {
         }
     }
 
-    /// Radiance, all colours together, at a place of the globe from its top left, as `shaders/picture/sky` has it.
+    /// Radiance, all colors together, at a place of the globe from its top left, as `shaders/picture/sky` has it.
     fn sky_brightness(&self, place: DVec2) -> f64 {
         match self.sky {
             Sky::Color(color) => color.element_sum() / 3.0,
@@ -151,7 +151,7 @@ fn on_face(d: DVec3) -> (usize, DVec2) {
     (face, 0.5 + 0.5 * DVec2::new(p.x, -p.y) / p.z)
 }
 
-/// A picture between its pixels' middles, all colours together.
+/// A picture between its pixels' middles, all colors together.
 fn sample(picture: &Picture, place: DVec2, repeats: bool) -> f64 {
     let [width, height] = picture.size.map(i64::from);
     let p = place * DVec2::new(width as f64, height as f64) - 0.5;

@@ -97,7 +97,7 @@ pub struct Camera {
     pub time: f64,
     /// Is light as bright as its shift makes it?
     pub shift: bool,
-    /// And are colours taken for those of black bodies, which shift too?
+    /// And are colors taken for those of black bodies, which shift too?
     pub hues: bool,
     /// Two eyes, if the picture is a pair of views.
     pub stereo: Option<Stereo>,

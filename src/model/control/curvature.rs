@@ -1,10 +1,10 @@
-//! Steps by the ray's own curvature: every step turns it through the same angle (G95 Fig. 6b), under the cap.
+//! Step-size control by the ray's curvature: every step turns it through the same angle (G95 Fig. 6b), up to the cap.
 
 use super::{Control, Kind, falling};
 use crate::document::keys;
 use crate::model::row;
 
-/// What is known of it.
+/// The description of this control.
 pub static KIND: Kind = Kind {
     name: "curvature",
     keys: keys! {
@@ -21,13 +21,13 @@ pub static KIND: Kind = Kind {
     ..Kind::EXACT
 };
 
-/// Steps that turn the ray by `turn` radians, no longer than `cap` times the law's scale.
+/// Returns the control whose steps turn the ray by `turn` radians and are at most `cap` times the law's length scale.
 #[must_use]
 pub fn with(turn: f64, cap: f64) -> Control {
     Control::new(&KIND, turn, cap)
 }
 
-/// From half a radian on downwards.
+/// Returns the settings of a chart, from half a radian downwards.
 #[must_use]
 pub fn sweep(count: i32) -> Vec<Control> {
     falling(0.5, 0.75, count).map(|turn| with(turn, 0.5)).collect()

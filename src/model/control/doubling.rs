@@ -1,7 +1,7 @@
-//! Step doubling: one step h against two of h/2 (W04 §4.2), rejecting or by the paper's own rule.
+//! Step doubling: compares one step h with two steps of h/2 (W04 §4.2), and either rejects steps or follows the rule of W04.
 //!
-//! The paper changes only the next step, by two thresholds, and keeps the one whose difference is too large; `REJECTING` tries such a
-//! step again, shorter.
+//! W04 adjusts only the next step, by two thresholds, and accepts a step with too large a difference. `REJECTING` repeats such a step with
+//! a shorter h.
 
 use super::{Control, Kind, falling};
 use crate::document::reader::TableReader;
@@ -9,7 +9,7 @@ use crate::document::values::{positive, word};
 use crate::document::{Key, keys};
 use crate::model::{Row, row};
 
-/// The setting of whatever keeps errors under a tolerance.
+/// The setting of every control that keeps the error under a tolerance.
 pub const TOLERANCE: Key = keys! {
     tolerance: "number above 0" = "1e-5", "steps shrink above this relative error";
 }[0];
@@ -25,7 +25,7 @@ const KEYS: &[Key] = &[
     super::scaled::SCALED_STEP,
 ];
 
-/// A step over the tolerance is tried again, shorter.
+/// The control that repeats a step over the tolerance with a shorter h.
 pub static REJECTING: Kind = Kind {
     name: "rejecting",
     keys: KEYS,
@@ -40,7 +40,7 @@ pub static REJECTING: Kind = Kind {
     ..Kind::EXACT
 };
 
-/// Two thresholds, and only the next step changes (W04 §4.2).
+/// The control with two thresholds that adjusts only the next step (W04 §4.2).
 pub static PAPER: Kind = Kind { name: "paper", remark: " (paper)", keeps_errors: true, ..REJECTING };
 
 fn values(control: &Control) -> Row {
@@ -51,13 +51,13 @@ fn usual(control: &Control, refined: i32) -> Control {
     with(control.kind, 1e-4 * 0.1_f64.powi(refined), 0.3 * 0.5_f64.powi(refined))
 }
 
-/// With steps that grow below a tenth of the tolerance.
+/// Returns the control with a tolerance; steps grow while the difference is below a tenth of it.
 #[must_use]
 pub fn with(kind: &'static Kind, tolerance: f64, cap: f64) -> Control {
     Control { grow_below: 0.1 * tolerance, ..Control::new(kind, tolerance, cap) }
 }
 
-/// From a tolerance of 0.1 on, by half an order of magnitude.
+/// Returns the settings of a chart, from a tolerance of 0.1 downwards by half orders of magnitude.
 #[must_use]
 pub fn sweep(kind: &'static Kind, count: i32) -> Vec<Control> {
     falling(0.1, 0.316_227_766, count).map(|tolerance| with(kind, tolerance, 0.3)).collect()

@@ -1,4 +1,4 @@
-//! An embedded pair's own error, kept under the tolerance by a PI controller (Hairer, Nørsett, Wanner, §II.4).
+//! Step-size control by the error of an embedded pair: a PI controller keeps it under the tolerance (Hairer, Nørsett, Wanner, §II.4).
 
 use super::doubling::TOLERANCE;
 use super::scaled::SCALED_STEP;
@@ -7,7 +7,7 @@ use crate::document::reader::TableReader;
 use crate::document::values::positive;
 use crate::model::row;
 
-/// What is known of it.
+/// The description of this control.
 pub static KIND: Kind = Kind {
     name: "embedded",
     keys: &[TOLERANCE, SCALED_STEP],
@@ -23,13 +23,13 @@ pub static KIND: Kind = Kind {
     ..Kind::EXACT
 };
 
-/// At a tolerance, with steps no longer than `cap` times the law's scale.
+/// Returns the control with a tolerance; steps are at most `cap` times the law's length scale.
 #[must_use]
 pub fn with(tolerance: f64, cap: f64) -> Control {
     Control::new(&KIND, tolerance, cap)
 }
 
-/// From a tolerance of 1 on, by half an order of magnitude.
+/// Returns the settings of a chart, from a tolerance of 1 downwards by half orders of magnitude.
 #[must_use]
 pub fn sweep(count: i32) -> Vec<Control> {
     falling(1.0, 0.316_227_766, count).map(|tolerance| with(tolerance, 0.5)).collect()

@@ -1,9 +1,9 @@
-//! No control: a closed form leads to the end in one arc.
+//! The absence of step-size control: a closed form leads to the end of a path in one arc.
 
 use super::{Control, Kind};
 
-/// What is known of it.
+/// The description of this control.
 pub static KIND: Kind = Kind::EXACT;
 
-/// The only one there is.
+/// The only control of this kind.
 pub const CONTROL: Control = Control::new(&KIND, 0.0, 0.0);

@@ -1,10 +1,10 @@
-//! Steps of one size h, shorter where η · scale is less.
+//! Steps of a fixed size h, or of η · scale where this is shorter.
 
 use super::Kind;
 use crate::document::keys;
 use crate::model::row;
 
-/// What is known of it.
+/// The description of this control.
 pub static KIND: Kind = Kind {
     name: "fixed",
     keys: keys! {

@@ -1,10 +1,10 @@
-//! An iteration's own steps: each of the size that the scene gives, whatever the law's scale.
+//! Steps of an iteration: each has the size that the scene specifies, whatever the law's length scale.
 
 use super::{Control, Kind, fixed};
 use crate::document::values::positive;
 use crate::model::row;
 
-/// What is known of it; its step is required.
+/// The description of this control; a scene must specify the step.
 pub static KIND: Kind = Kind {
     name: "iterated",
     parts: &["method/control/iterated"],

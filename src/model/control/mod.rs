@@ -1,10 +1,10 @@
-//! Step-size controls: how long a step is, one kind a file.
+//! Step-size controls, which choose the length of each step; one file per kind.
 //!
-//! *Theory.* Every length here is a τ; η is a fraction of the law's own scale, and no step is longer than η times that scale,
-//! whatever chooses it: far from a hole a controller sees flat space, grows, and would jump over it.
+//! *Theory.* Every length here is a step in τ. η is a fraction of the law's length scale, and no control takes a step longer than η times
+//! that scale. Without this cap, a controller far from a black hole sees flat space, grows its step, and jumps over the hole.
 //!
-//! *Practice.* A kind says which WGSL keeps the contract `control`, what numbers that is fed, what a step costs under it, and
-//! over which settings a chart sweeps it. Adding one is a file here, and its name in the list of the methods that go with it.
+//! *Practice.* A kind names the WGSL module that implements the contract `control` and its uniforms, the cost of a step, and the settings
+//! that a chart sweeps. To add a kind, add a file here and its name to the lists of the methods that support it.
 
 pub mod curvature;
 pub mod doubling;
@@ -22,52 +22,52 @@ use crate::document::Key;
 use crate::document::reader::TableReader;
 use crate::document::values::positive;
 
-/// The controls whose step is known before it is taken; the first is that of a scene that names none.
+/// The controls that know a step before it is taken; the first is the default.
 pub const PLANNED: [&Kind; 3] = [&scaled::KIND, &fixed::KIND, &curvature::KIND];
-/// Those, and under a name of its own step doubling.
+/// The planned controls, and step doubling under a separate name.
 pub const PLANNED_OR_DOUBLED: [&Kind; 4] = [PLANNED[0], PLANNED[1], PLANNED[2], &doubling::REJECTING];
 
-/// What is known of a kind of control.
+/// The description of a kind of step-size control.
 #[allow(clippy::struct_excessive_bools)] // facts, each by itself
 pub struct Kind {
-    /// Its name.
+    /// The name.
     pub name: &'static str,
-    /// The keys that it reads.
+    /// The keys that the control reads.
     pub keys: &'static [Key],
-    /// The WGSL parts that keep its contract.
+    /// The WGSL modules that implement the contract `control`.
     pub parts: &'static [&'static str],
-    /// Does the next step need more of the last than its size: its error, and the derivative at its end?
+    /// Is `true` if the next step depends on the error and the final derivative of the last step, in addition to its size.
     pub remembers: bool,
     /// The members of `control` in WGSL.
     pub values: fn(&Control) -> Row,
-    /// Evaluations of the law's derivative in a path, by those of a step, and by accepted and rejected steps.
+    /// The number of derivative evaluations along a path, from the evaluations per step and the accepted and rejected steps.
     pub evaluations: fn(step: f64, steps: f64, rejected: f64) -> f64,
-    /// What follows a method's name in a scene file where it has this control.
+    /// The suffix of a method's name in a scene file with this control.
     pub suffix: &'static str,
-    /// And where the method is named to people.
+    /// The remark after the name of the method in output for people.
     pub remark: &'static str,
-    /// The setting as the scene file has it.
+    /// The setting in the units of the scene file.
     pub setting: fn(&Control) -> f64,
-    /// The setting by what the scene file has.
+    /// The setting converted from the units of the scene file.
     pub from_file: fn(f64) -> f64,
-    /// The usual setting, halved (or its tolerance taken to a tenth) so many times.
+    /// The usual setting after `refined` refinements, each of which halves a step or divides a tolerance by ten.
     pub usual: fn(&Control, refined: i32) -> Control,
-    /// May a setting between two be tried, their geometric mean?
+    /// Is `true` if the geometric mean of two settings is a useful setting.
     pub divides: bool,
-    /// Is a step tried again when its error is too large?
+    /// Is `true` if a step with too large an error is repeated.
     pub rejects: bool,
-    /// Are steps over the tolerance kept, and counted as rejected?
+    /// Is `true` if steps over the tolerance are accepted, but counted as rejected.
     pub keeps_errors: bool,
-    /// Is the setting a tolerance?
+    /// Is `true` if the setting is a tolerance.
     pub has_tolerance: bool,
-    /// Is it chosen by its first key, among the controls of a method?
+    /// Is `true` if the presence of the first key selects this control of a method.
     pub has_chooser: bool,
-    /// Reads it from the keys of a `[rays]` table, if no other control is chosen.
+    /// Reads the control from the keys of a `[rays]` table, if no other control is selected.
     pub(crate) read: fn(&TableReader) -> Control,
 }
 
 impl Kind {
-    /// No control at all: what the others differ from.
+    /// The description of no control, which supplies the defaults of the other kinds.
     pub const EXACT: Self = Self {
         name: "exact",
         keys: &[],
@@ -89,27 +89,27 @@ impl Kind {
     };
 }
 
-/// A control at a setting.
+/// A step-size control with its setting.
 #[derive(Clone, Copy, PartialEq)]
 pub struct Control {
-    /// Its kind.
+    /// The kind of control.
     pub kind: &'static Kind,
     /// The number that a chart sweeps: a step in τ, an angle in radians, η, or a tolerance.
     pub setting: f64,
-    /// η: no step is longer than this times the law's scale; infinite for steps that are none of the law's business.
+    /// η, the largest step in units of the law's length scale; infinite if the scale does not limit steps.
     pub cap: f64,
-    /// Doubling alone: h grows below this relative difference.
+    /// For step doubling only: the relative difference below which h grows.
     pub grow_below: f64,
 }
 
 impl Control {
-    /// Of a kind, at a setting and under a cap.
+    /// Creates a control from its kind, setting and cap.
     #[must_use]
     pub const fn new(kind: &'static Kind, setting: f64, cap: f64) -> Self {
         Self { kind, setting, cap, grow_below: 0.0 }
     }
 
-    /// The setting between two of one kind, by the geometric mean; the second, where there is none.
+    /// Returns the control with the geometric mean of two settings of one kind, or the second control if there is no such setting.
     #[must_use]
     pub fn between(self, other: Self) -> Self {
         if !self.kind.divides || self.kind != other.kind {
@@ -120,7 +120,7 @@ impl Control {
         Self { setting, cap, ..self }
     }
 
-    /// The method of this name in words, with what decides its steps.
+    /// Returns a description of the method with this name, including the setting that determines its steps.
     #[must_use]
     pub fn words(&self, method: &str) -> String {
         let named = format!("{method}{}{}", self.kind.suffix, self.kind.remark);
@@ -134,7 +134,7 @@ impl Control {
         format!("{named}, {key} {setting}{cap}")
     }
 
-    /// All that it is, as keys and values of the scene format.
+    /// Returns all settings of the control as keys and values of the scene format.
     #[must_use]
     pub fn settings(&self) -> Vec<(&'static str, String)> {
         let Some(own) = self.own_key() else { return Vec::new() };
@@ -148,19 +148,19 @@ impl Control {
         all
     }
 
-    /// The key of its setting.
+    /// Returns the key of the setting.
     fn own_key(&self) -> Option<&'static str> {
         let own = if self.kind.has_tolerance { Some(&doubling::TOLERANCE) } else { self.kind.keys.first() };
         own.map(|own| own.key)
     }
 
-    /// The tolerance, if the control has one.
+    /// Returns the tolerance, if the control has one.
     #[must_use]
     pub fn tolerance(&self) -> Option<f64> {
         self.kind.has_tolerance.then_some(self.setting)
     }
 
-    /// The members of `control` in WGSL.
+    /// Returns the members of `control` in WGSL.
     #[must_use]
     pub fn values(&self) -> Row {
         (self.kind.values)(self)
@@ -175,28 +175,28 @@ impl fmt::Debug for Control {
     }
 }
 
-/// From `first` on, each about `factor` of the one before, in numbers that are short to write.
+/// Returns `count` settings from `first` downwards, each about `factor` times the one before and short to write.
 pub(super) fn falling(first: f64, factor: f64, count: i32) -> impl Iterator<Item = f64> {
     (0..count).map(move |k| four_digits(first * factor.powi(k)))
 }
 
-/// Rounds a setting to the digits that it is written with.
+/// Rounds a setting to the four digits that are printed.
 pub(crate) fn four_digits(x: f64) -> f64 {
-    // Printed and read again: what is written is the number itself.
+    // Printing and parsing again makes the printed digits the exact value.
     format!("{x:.3e}").parse().unwrap_or(x)
 }
 
-/// A number that reads as itself.
+/// Formats a number so that parsing returns the identical value.
 pub(super) fn written(x: f64) -> String {
     if (1e-3..1e4).contains(&x) { x.to_string() } else { format!("{x:e}") }
 }
 
-/// A word as TOML has it.
+/// Returns a word in the quotes of TOML.
 pub(super) fn quoted(word: &str) -> String {
     format!("\"{word}\"")
 }
 
-/// Reads which of these controls a `[rays]` table chooses, and its setting; the first, if none is chosen by its own key.
+/// Reads the control that a `[rays]` table selects, with its setting; defaults to the first if no key selects another.
 pub(super) fn read(controls: &[&'static Kind], table: &TableReader) -> Control {
     let chosen_by = |kind: &&'static Kind| kind.has_chooser.then(|| kind.keys[0].key);
     let keys: Vec<&'static str> = controls.iter().filter_map(chosen_by).collect();

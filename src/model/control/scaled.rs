@@ -1,4 +1,4 @@
-//! Steps h = η · scale, a fixed fraction of the length over which the law changes.
+//! Steps h = η · scale, a fixed fraction of the law's length scale.
 
 use super::{Control, Kind, falling};
 use crate::document::reader::TableReader;
@@ -6,13 +6,13 @@ use crate::document::values::positive;
 use crate::document::{Key, keys};
 use crate::model::row;
 
-/// η, which every control but the exact one has: as its setting, or as its cap.
+/// η, which is the setting of this control and the cap of all others except the exact one.
 pub const SCALED_STEP: Key = keys! {
     scaled_step: "number above 0" = "0.1; 0.5 beside step or curvature_step; 0.3 for doubling and embedded methods",
         "η: a step is η times the length scale of the law at that position, or at most that if another key sets the step; for planar, radians around the center";
 }[0];
 
-/// What is known of it.
+/// The description of this control.
 pub static KIND: Kind = Kind {
     name: "scaled",
     keys: &[SCALED_STEP],
@@ -24,13 +24,13 @@ pub static KIND: Kind = Kind {
     ..Kind::EXACT
 };
 
-/// h = η · scale.
+/// Returns the control with h = η · scale.
 #[must_use]
 pub fn with(eta: f64) -> Control {
     Control::new(&KIND, eta, eta)
 }
 
-/// Half of the law's scale and less: a larger step jumps over what it should see.
+/// Returns the settings of a chart, from η = 0.5 downwards; larger steps jump over features of the law.
 #[must_use]
 pub fn sweep(count: i32) -> Vec<Control> {
     falling(0.5, 0.75, count).map(with).collect()

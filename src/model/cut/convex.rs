@@ -1,4 +1,4 @@
-//! Shapes with straight edges, cut by clipping.
+//! Cross sections of shapes with straight edges, by polygon clipping.
 
 use std::f64::consts::TAU;
 
@@ -6,21 +6,21 @@ use glam::DVec3;
 
 use super::{CORNERS, Outline, OwnPlane};
 
-/// Half the side of a square that covers the unit cube from wherever in it.
+/// Half the side of a square that covers the cross section of the unit cube with any plane.
 const COVER: f64 = 4.0;
-/// Planes nearer to parallel than this are parallel.
+/// The threshold below which two planes count as parallel.
 pub(in crate::model) const PARALLEL: f64 = 1e-12;
-/// Outlines within this of a surface lie in it.
+/// The distance within which an outline counts as part of a surface.
 pub(in crate::model) const ON: f64 = 1e-9;
 
-/// Where the cube |x|, |y|, |z| ≤ 1 crosses a plane: a square of the plane, clipped by the cube's six half-spaces. Unlike the
-/// crossings of its edges, that also holds for a plane through an edge or a face.
+/// Returns the cross section of the cube |x|, |y|, |z| ≤ 1 with a plane: a square in the plane, clipped by the six half-spaces of the cube.
+/// Unlike the intersection with the cube's edges, this also works if the plane contains an edge or a face.
 pub(in crate::model) fn cuboid(plane: OwnPlane) -> Option<Outline> {
     cut_by(plane, &[DVec3::X, DVec3::NEG_X, DVec3::Y, DVec3::NEG_Y, DVec3::Z, DVec3::NEG_Z])
 }
 
-/// Where the cylinder |y| ≤ 1, x² + z² ≤ 1 crosses a plane: as for the cube, its mantle made of as many flat strips as an ellipse has
-/// corners.
+/// Returns the cross section of the cylinder |y| ≤ 1, x² + z² ≤ 1 with a plane by clipping; the mantle is approximated by as many flat
+/// strips as an ellipse has corners.
 pub(in crate::model) fn cylinder(plane: OwnPlane) -> Option<Outline> {
     let strips = (0..CORNERS).map(|i| {
         let (sin, cos) = (TAU * f64::from(i) / f64::from(CORNERS)).sin_cos();
@@ -30,7 +30,7 @@ pub(in crate::model) fn cylinder(plane: OwnPlane) -> Option<Outline> {
     cut_by(plane, &faces)
 }
 
-/// The part of a plane that lies within distance 1 of the origin along each of these normals.
+/// Returns the part of a plane within distance 1 of the origin along each of these normals.
 fn cut_by(plane: OwnPlane, normals: &[DVec3]) -> Option<Outline> {
     let foot = plane.normal * plane.offset;
     if foot.length() > COVER / 2.0 {
@@ -46,7 +46,7 @@ fn cut_by(plane: OwnPlane, normals: &[DVec3]) -> Option<Outline> {
     (polygon.len() >= 3).then_some(Outline { points: polygon, closed: true })
 }
 
-/// The part of a closed polygon where `inside` is not negative (Sutherland and Hodgman 1974); `inside` is linear.
+/// Returns the part of a closed polygon where the linear function `inside` is not negative (Sutherland and Hodgman 1974).
 fn clipped(polygon: &[DVec3], inside: impl Fn(DVec3) -> f64) -> Vec<DVec3> {
     let mut kept = Vec::with_capacity(polygon.len() + 1);
     for (i, &to) in polygon.iter().enumerate() {
@@ -62,7 +62,7 @@ fn clipped(polygon: &[DVec3], inside: impl Fn(DVec3) -> f64) -> Vec<DVec3> {
     kept
 }
 
-/// Where the square |x|, |z| ≤ 1 in y = 0 crosses a plane: a line; its own edge if it lies in the plane.
+/// Returns the line in which the square |x|, |z| ≤ 1, y = 0 crosses a plane, or the edge of the square if it is in the plane.
 pub(in crate::model) fn square(plane: OwnPlane) -> Option<Outline> {
     let slope = DVec3::new(plane.normal.x, 0.0, plane.normal.z);
     if slope.length() <= PARALLEL {
@@ -71,7 +71,7 @@ pub(in crate::model) fn square(plane: OwnPlane) -> Option<Outline> {
     }
     let foot = slope * (plane.offset / slope.length_squared());
     let along = slope.cross(DVec3::Y).normalize();
-    // The stretch of the line in each pair of edges, and what all have in common.
+    // The interval of the line between each pair of edges, and the intersection of these intervals.
     let mut stretch = [f64::NEG_INFINITY, f64::INFINITY];
     for axis in [0, 2] {
         if along[axis].abs() <= PARALLEL {

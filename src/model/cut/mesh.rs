@@ -1,4 +1,4 @@
-//! Meshes: a segment in every triangle that the plane crosses, joined to lines.
+//! Cross sections of meshes: one segment per triangle that crosses the plane, joined to lines.
 
 use std::collections::HashMap;
 
@@ -7,14 +7,14 @@ use glam::{DVec3, Vec3};
 use super::{Outline, OwnPlane};
 use crate::assets::Mesh;
 
-/// An edge of the mesh by the places of its ends, the same from both of its triangles.
+/// An edge of the mesh, by the positions of its ends; equal for both triangles of the edge.
 type Edge = [[u32; 3]; 2];
 
 /// A segment between two edges.
 type Segment = [Edge; 2];
 
-/// Where a mesh crosses a plane: closed lines where its surface is closed. A corner in the plane counts as in front of it,
-/// for all triangles alike, so that lines do not break there.
+/// Returns the lines in which a mesh crosses a plane; they are closed if its surface is closed. For every triangle, a vertex in the plane
+/// counts as in front of it, so that lines do not break there.
 pub(in crate::model) fn cut(mesh: &Mesh, plane: OwnPlane) -> Vec<Outline> {
     let height = |p: Vec3| plane.normal.dot(p.as_dvec3()) - plane.offset;
     let crossing = |a: Vec3, b: Vec3| ((height(a) < 0.0) != (height(b) < 0.0)).then(|| edge(a, b));
@@ -40,14 +40,14 @@ pub(in crate::model) fn cut(mesh: &Mesh, plane: OwnPlane) -> Vec<Outline> {
     chains(&segments).into_iter().map(outline).filter(|line| line.points.len() >= 2).collect()
 }
 
-/// 0 and −0 are one place.
+/// Creates an edge, with 0 and −0 as one coordinate.
 fn edge(a: Vec3, b: Vec3) -> Edge {
     let mut ends = [a, b].map(|p| (p + Vec3::ZERO).to_array().map(f32::to_bits));
     ends.sort_unstable();
     ends
 }
 
-/// Segments joined where they share an edge, each line with whether it is closed.
+/// Joins segments that share an edge, and returns each line with `true` if it is closed.
 fn chains(segments: &[Segment]) -> Vec<(Vec<Edge>, bool)> {
     let mut at: HashMap<Edge, Vec<usize>> = HashMap::new();
     for (i, ends) in segments.iter().enumerate() {
@@ -57,7 +57,7 @@ fn chains(segments: &[Segment]) -> Vec<(Vec<Edge>, bool)> {
     }
     let mut used = vec![false; segments.len()];
     let is_end = |i: &usize| segments[*i].iter().any(|end| at[end].len() == 1);
-    // Open lines from one of their ends; what is left is closed.
+    // Open lines start at one of their ends; the remaining lines are closed.
     let order = (0..segments.len()).filter(is_end).chain(0..segments.len());
     let mut lines = Vec::new();
     for first in order {

@@ -1,10 +1,10 @@
-//! Where surfaces cross a plane: the outlines of a drawing.
+//! Cross sections of surfaces with a plane, which are the outlines of a diagram.
 //!
-//! *Theory.* An affine map takes planes to planes, so that every shape is cut in its own space, where it is simple, and the
-//! outline is mapped back: a sphere's is an ellipse, a box's a polygon with three to six corners.
+//! *Theory.* An affine map takes planes to planes. Every shape is therefore intersected in its object space, where it is simple, and the
+//! outline is mapped back: the outline of a sphere is an ellipse, that of a box a polygon with three to six corners.
 //!
-//! *Practice.* All in 64 bits on the host; a mesh costs a pass over its triangles. Curves come as closed polygons of
-//! [`CORNERS`] corners, which are off by 2·10⁻⁴ of their radius.
+//! *Practice.* All computations use 64 bits on the host; a mesh costs one pass over its triangles. Curves are closed polygons of
+//! [`CORNERS`] corners, with an error of 2·10⁻⁴ of their radius.
 
 mod convex;
 pub(super) mod mesh;
@@ -19,29 +19,29 @@ use glam::DVec3;
 
 use super::halved::halved;
 
-/// Corners of the polygon that stands for an ellipse.
+/// The number of corners of the polygon that approximates an ellipse.
 pub const CORNERS: u32 = 180;
 
 /// A line in which a surface crosses a plane, in scene coordinates.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Outline {
-    /// Its points, at least two.
+    /// The points of the line, at least two.
     pub points: Vec<DVec3>,
-    /// Whether the last point is joined to the first.
+    /// Is `true` if the last point is joined to the first.
     pub closed: bool,
 }
 
-/// A plane n · y = d in a shape's own space.
+/// A plane n · y = d in the object space of a shape.
 #[derive(Debug, Clone, Copy)]
 pub struct OwnPlane {
-    /// n: a unit vector.
+    /// The unit normal n.
     pub normal: DVec3,
-    /// d.
+    /// The offset d from the origin.
     pub offset: f64,
 }
 
 impl OwnPlane {
-    /// The scene's plane n · (x − p) = 0 under x = M y + t: Mᵀn · y = n · (p − t).
+    /// Returns the scene's plane n · (x − p) = 0 under x = M y + t, which is Mᵀn · y = n · (p − t).
     pub(super) fn of(plane: &CutPlane, transposed: glam::DMat3, translation: DVec3) -> Option<Self> {
         let normal = transposed * plane.normal();
         let length = normal.length();
@@ -51,7 +51,7 @@ impl OwnPlane {
     }
 }
 
-/// A circle about a centre, in the plane across a unit normal.
+/// Returns a circle around a center, in the plane perpendicular to a unit normal.
 #[must_use]
 pub fn circle(center: DVec3, normal: DVec3, radius: f64) -> Outline {
     let (a, b) = normal.any_orthonormal_pair();
@@ -62,8 +62,8 @@ pub fn circle(center: DVec3, normal: DVec3, radius: f64) -> Outline {
     Outline { points: (0..CORNERS).map(corner).collect(), closed: true }
 }
 
-/// Where the surface of what is inside crosses a plane; none if the point of the plane that is nearest to the centre is outside. All of it
-/// lies within `radius` of the centre.
+/// Returns the outline of a region in a plane, or `None` if the point of the plane nearest to the center is outside. The region must be
+/// within `radius` of the center.
 #[must_use]
 pub fn star_in_plane(center: DVec3, radius: f64, inside: &dyn Fn(DVec3) -> bool, plane: &CutPlane) -> Option<Outline> {
     const LOOKS: u32 = 64;
@@ -80,7 +80,7 @@ pub fn star_in_plane(center: DVec3, radius: f64, inside: &dyn Fn(DVec3) -> bool,
     inside(foot).then(|| Outline { points: (0..CORNERS).map(corner).collect(), closed: true })
 }
 
-/// Where a sphere crosses a plane; none if it does not.
+/// Returns the circle in which a sphere crosses a plane, or `None` if they do not cross.
 #[must_use]
 pub fn sphere_in_plane(center: DVec3, radius: f64, plane: &CutPlane) -> Option<Outline> {
     let height = plane.height(center);

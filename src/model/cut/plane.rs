@@ -1,26 +1,26 @@
-//! A plane to look at a scene in: where it is, and what is right and up on paper.
+//! The plane of a diagram, with its position and its right and up directions on paper.
 
 use glam::{DMat3, DVec3};
 
-/// Points may be off a plane by this part of their extent and still count as in it: more than the roundings of `f32`.
+/// The distance from a plane, relative to the extent of the points, up to which points count as coplanar; larger than `f32` rounding.
 const FLAT: f64 = 1e-4;
-/// Normals this near to an axis are that axis: a fit to rounded points is never exact.
+/// The distance within which a normal snaps to an axis, because a fit to rounded points is never exact.
 const SNAP: f64 = 1e-4;
 
-/// A plane with its directions on paper, in scene coordinates.
+/// A plane with its right and up directions on paper, in scene coordinates.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct CutPlane {
-    /// A point of it.
+    /// A point of the plane.
     pub point: DVec3,
-    /// Unit vector to the right on paper.
+    /// The unit vector to the right on paper.
     pub right: DVec3,
-    /// Unit vector upwards on paper, perpendicular to `right`.
+    /// The unit vector upwards on paper, perpendicular to `right`.
     pub up: DVec3,
 }
 
 impl CutPlane {
-    /// The plane through `point` perpendicular to `normal`; none if that has no direction. Right and up are as near as can be
-    /// to the two axes that the plane runs along most, in their usual order: x and y, x and z, or y and z.
+    /// Returns the plane through `point` perpendicular to `normal`, or `None` if the normal has no direction. Right and up are as close as
+    /// possible to the two axes that are most nearly parallel to the plane, in their usual order: x and y, x and z, or y and z.
     #[must_use]
     pub fn new(point: DVec3, normal: DVec3) -> Option<Self> {
         let normal = snapped(normal.try_normalize()?);
@@ -33,11 +33,11 @@ impl CutPlane {
         let right = DMat3::IDENTITY.col(a).reject_from_normalized(normal).try_normalize()?;
         let up = normal.cross(right);
         let up = if up[b] < 0.0 { -up } else { up };
-        // Without the signs of zeros.
+        // Adding zero removes negative zeros.
         Some(Self { point, right, up: up + DVec3::ZERO })
     }
 
-    /// The plane in which all of these points lie, if there is one and only one.
+    /// Returns the only plane that contains all of these points, or `None` if there is none or more than one.
     #[must_use]
     pub fn fit(points: &[DVec3]) -> Option<Self> {
         let middle = points.iter().sum::<DVec3>() / points.len().max(1) as f64;
@@ -55,25 +55,25 @@ impl CutPlane {
         (off <= FLAT * along.length()).then_some(plane)
     }
 
-    /// Unit vector towards whoever looks at the paper.
+    /// Returns the unit vector towards the viewer of the paper.
     #[must_use]
     pub fn normal(&self) -> DVec3 {
         self.right.cross(self.up)
     }
 
-    /// A point's place on paper: its shadow there. Distances are those of the scene, and the scene's origin is at [0, 0].
+    /// Returns the orthogonal projection of a point onto the paper, in scene units; the scene's origin is at [0, 0].
     #[must_use]
     pub fn flat(&self, p: DVec3) -> [f64; 2] {
         [p.dot(self.right), p.dot(self.up)]
     }
 
-    /// How far a point is in front of the plane.
+    /// Returns the distance of a point in front of the plane.
     #[must_use]
     pub fn height(&self, p: DVec3) -> f64 {
         (p - self.point).dot(self.normal())
     }
 
-    /// What right and up are called: an axis, or a direction.
+    /// Returns the labels of right and up: an axis or a direction.
     #[must_use]
     pub fn names(&self) -> [String; 2] {
         [self.right, self.up].map(|along| {
@@ -85,7 +85,7 @@ impl CutPlane {
     }
 }
 
-/// The axis that a unit normal is as good as, or itself.
+/// Returns the axis that a unit normal is nearly parallel to, or the normal itself.
 fn snapped(normal: DVec3) -> DVec3 {
     [DVec3::X, DVec3::Y, DVec3::Z].into_iter().find(|axis| normal.cross(*axis).length() <= SNAP).unwrap_or(normal)
 }

@@ -1,4 +1,4 @@
-//! d(r) = 2r³/R³ − 3r²/R² + 1 inside R, else 0: of local range (G95 after Wyvill, W04 §5.2).
+//! The fall-off d(r) = 2r³/R³ − 3r²/R² + 1 inside R, and 0 outside, with local range (G95 after Wyvill, W04 §5.2).
 
 use super::Kind;
 use crate::document::keys;

@@ -1,4 +1,4 @@
-//! d(r) = 1/r²: singular at the source.
+//! The fall-off d(r) = 1/r², which is singular at the source.
 
 use super::Kind;
 

@@ -1,7 +1,7 @@
-//! Fall-offs: how a source's force depends on the distance r from it, one kind a file.
+//! Fall-offs: the dependence of a source's force on the distance r from it; one file per kind.
 //!
-//! *Practice.* [`FALLOFFS`] names each kind once. The WGSL contract is `KIND_acceleration(x)`, the sum over the sources of that
-//! kind, and `KIND_distance(x)`, how near the nearest of them is.
+//! *Practice.* [`FALLOFFS`] lists each kind once. The WGSL contract is `KIND_acceleration(x)`, the sum over the sources of one kind, and
+//! `KIND_distance(x)`, the distance of the nearest of them.
 
 mod cubic;
 mod inverse_square;
@@ -15,59 +15,60 @@ use crate::document::reader::TableReader;
 use crate::document::values::positive;
 use crate::document::{Key, KeyReference, Node, Value as Written};
 
-/// Every kind; the first is that of a source that names none.
+/// The list of all kinds; the first is the default.
 pub const FALLOFFS: [&Kind; 3] = [&inverse_square::KIND, &cubic::KIND, &yukawa::KIND];
 
-/// What is known of a kind of fall-off.
+/// The description of a kind of fall-off.
 pub struct Kind {
-    /// As a scene file has it.
+    /// The name in a scene file.
     pub name: &'static str,
-    /// Its length or rate, if it has one, as a member of its sources in WGSL; a scene file writes `{ name = number }` then.
+    /// The name and key of the length or rate, if the kind has one, as a member of its sources in WGSL; a scene file then writes `{ name =
+    /// number }`.
     pub parameter: Option<(&'static str, Key)>,
-    /// The name of its WGSL part in `shaders/law/falloff/`, of its functions and of its list.
+    /// The name of the WGSL module in `shaders/law/falloff/`, and the prefix of its functions and list.
     pub wgsl: &'static str,
-    /// V at a distance, of a source of strength 1; 0 far away.
+    /// The potential V at a distance r from a source of strength 1; 0 at infinity.
     pub potential: fn(r: f64, parameter: f64) -> f64,
-    /// Outside of this distance there is no force; 0 if there is some everywhere.
+    /// The distance beyond which the force vanishes; 0 if the range is infinite.
     pub reach: fn(parameter: f64) -> f64,
-    /// The WGSL part of an orbit about a single centre.
+    /// The WGSL module of an orbit around a single center.
     pub orbit: &'static str,
-    /// Does it fall by an inverse power, so that an orbit has an asymptote in closed form?
+    /// Is `true` if the force falls off as an inverse power, so that the asymptote of an orbit has a closed form.
     pub is_free_far_away: bool,
 }
 
 /// A fall-off with its parameter.
 #[derive(Clone, Copy, PartialEq)]
 pub struct Falloff {
-    /// Its kind.
+    /// The kind of fall-off.
     pub kind: &'static Kind,
-    /// Its length or rate; 0 if it has none.
+    /// The length or rate; 0 if the kind has none.
     pub parameter: f64,
 }
 
 impl Falloff {
-    /// 1/r².
+    /// The inverse-square fall-off 1/r².
     pub const INVERSE_SQUARE: Self = Self { kind: FALLOFFS[0], parameter: 0.0 };
 
-    /// The kind of this name at a parameter.
+    /// Returns the fall-off of the kind `name` with a parameter, or `None` if there is no such kind.
     #[must_use]
     pub fn named(name: &str, parameter: f64) -> Option<Self> {
         FALLOFFS.into_iter().find(|kind| kind.name == name).map(|kind| Self { kind, parameter })
     }
 
-    /// V at a distance from a source of strength 1.
+    /// Returns the potential V at a distance from a source of strength 1.
     #[must_use]
     pub fn potential(&self, r: f64) -> f64 {
         (self.kind.potential)(r, self.parameter)
     }
 
-    /// The radius outside of which there is no force; 0 if there is some everywhere.
+    /// Returns the radius beyond which the force vanishes; 0 if the range is infinite.
     #[must_use]
     pub fn reach(&self) -> f64 {
         (self.kind.reach)(self.parameter)
     }
 
-    /// Its own member of a source in WGSL.
+    /// Returns the member of a source in WGSL that only this kind has.
     #[must_use]
     pub fn values(&self) -> Row {
         self.kind.parameter.map(|(member, _)| (member.into(), Value::Float(self.parameter))).into_iter().collect()
@@ -82,7 +83,7 @@ impl fmt::Debug for Falloff {
     }
 }
 
-/// The fall-off that a node of `table` gives.
+/// Reads a fall-off from a node of `table`.
 pub(crate) fn read(table: &TableReader, node: &Node) -> Option<Falloff> {
     let (words, tables): (Vec<&Kind>, Vec<&Kind>) = FALLOFFS.into_iter().partition(|kind| kind.parameter.is_none());
     let written: Vec<String> = words.iter().map(|kind| format!("\"{}\"", kind.name)).collect();
@@ -113,7 +114,7 @@ pub(crate) fn read(table: &TableReader, node: &Node) -> Option<Falloff> {
     None
 }
 
-/// The reference's rows of the fall-offs that have a parameter.
+/// Returns the reference rows of the fall-offs that have a parameter.
 #[must_use]
 pub fn reference() -> Vec<KeyReference> {
     let keys: Vec<(&str, Key)> = FALLOFFS.iter().filter_map(|kind| Some((kind.name, kind.parameter?.1))).collect();

@@ -1,4 +1,4 @@
-//! d(r) = e^(−μr)(1 + μr)/r², of the screened potential V = −e^(−μr)/r (W04 §5.2, whose sign repels).
+//! The fall-off d(r) = e^(−μr)(1 + μr)/r² of the screened potential V = −e^(−μr)/r (W04 §5.2, with a sign that repels).
 
 use super::Kind;
 use crate::document::keys;

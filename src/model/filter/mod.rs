@@ -1,6 +1,6 @@
 //! What a medium takes from light on its way, or adds to it (thesis 2.3, 4.4).
 //!
-//! *Theory.* Of light that goes a length d a part e^(−σd) is left, where σ is the density; a colour c that is left after a unit length
+//! *Theory.* Of light that goes a length d a part e^(−σd) is left, where σ is the density; a color c that is left after a unit length
 //! has σ = −ln c. A density may vary over space, by formulas or by a texture of noise, and a medium may glow.
 //!
 //! *Practice.* A [`Filter`] belongs to an interior, or to the law's whole space. Each kind of density has a function
@@ -35,15 +35,15 @@ pub struct Filter {
 pub enum Density {
     /// The same everywhere: σ, per unit length.
     Even(DVec3),
-    /// σ by formulas of the place from the centre, one for each channel.
+    /// σ by formulas of the place from the center, one for each channel.
     Formula([Formula; 3]),
-    /// The colour that is left after a unit length, by formulas.
+    /// The color that is left after a unit length, by formulas.
     Color([Formula; 3]),
-    /// That colour by a texture.
+    /// That color by a texture.
     Texture(Texture),
 }
 
-/// σ of a colour that is left after a unit length.
+/// σ of a color that is left after a unit length.
 #[must_use]
 pub fn density_of(color: DVec3) -> DVec3 {
     -color.max(DVec3::splat(1e-30)).map(f64::ln)
@@ -53,7 +53,7 @@ impl Filter {
     /// As coarse as the sources' pictures.
     pub const TOLERANCE: f64 = 1e-3;
 
-    /// Of a colour that is left after a unit length, everywhere the same.
+    /// Of a color that is left after a unit length, everywhere the same.
     #[must_use]
     pub fn even(color: DVec3) -> Self {
         let density = Density::Even(density_of(color));

@@ -1,4 +1,4 @@
-//! `absorption`: a colour, or a table.
+//! `absorption`: a color, or a table.
 
 use glam::DVec3;
 
@@ -57,7 +57,7 @@ pub(crate) fn read(parent: &TableReader, node: &Node, center: DVec3, files: &mut
     Some(Filter { density: density?, glow, tolerance, center })
 }
 
-/// A colour whose channels are from 0 to 1.
+/// A color whose channels are from 0 to 1.
 fn part(node: &Node) -> Read<DVec3> {
     let color = color(node)?;
     if color.max_element() > 1.0 {

@@ -1,13 +1,13 @@
-//! Textures of filters: noise as a share from 0 to 1, and what colour that is.
+//! Textures of filters: noise as a share from 0 to 1, and what color that is.
 
 use glam::DVec3;
 
 use crate::model::{Row, row};
 
-/// A colour by fractal noise, which is left after a unit length.
+/// A color by fractal noise, which is left after a unit length.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Texture {
-    /// What colour a share of the noise is.
+    /// What color a share of the noise is.
     pub look: Look,
     /// Lattice cells a unit length; of marble also waves of 2π.
     pub frequency: f64,
@@ -17,14 +17,14 @@ pub struct Texture {
     pub seed: u32,
 }
 
-/// What colour a share from 0 to 1 is.
+/// What color a share from 0 to 1 is.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Look {
     /// Between two.
     Mix([DVec3; 2]),
     /// Between two, so many times over.
     Wrapped([DVec3; 2], f64),
-    /// Seven colours.
+    /// Seven colors.
     Rainbow,
     /// A picture's, from left to right: index into the scene's.
     Ramp(usize),

@@ -11,13 +11,13 @@ use crate::model::cut::{CutPlane, Outline, sphere_in_plane, star_in_plane};
 pub struct Landmark {
     /// Its name in a legend.
     pub name: &'static str,
-    /// Its centre.
+    /// Its center.
     pub center: DVec3,
     /// Its radius, or that of a ball that holds it; 0 for none.
     pub radius: f64,
     /// Do rays end there?
     pub captures: bool,
-    /// What is inside, if it is no sphere: of each line from the centre a stretch from there.
+    /// What is inside, if it is no sphere: of each line from the center a stretch from there.
     pub inside: Option<Arc<dyn Fn(DVec3) -> bool>>,
 }
 

@@ -1,13 +1,13 @@
-//! What a law may say of its paths as a whole: that they are orbits about one centre, or that a throat leads on to another place.
+//! What a law may say of its paths as a whole: that they are orbits about one center, or that a throat leads on to another place.
 
 use glam::DVec3;
 
 use super::Landmark;
 
-/// The orbit about a law's only centre.
+/// The orbit about a law's only center.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Orbit {
-    /// The centre.
+    /// The center.
     pub center: DVec3,
     /// What else a place on it needs.
     pub form: OrbitForm,
@@ -18,7 +18,7 @@ pub struct Orbit {
 /// What an orbit is besides its r.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum OrbitForm {
-    /// An angle in the plane through the centre in which a ray stays; and the WGSL part that has its pull.
+    /// An angle in the plane through the center in which a ray stays; and the WGSL part that has its pull.
     Plane(&'static str),
     /// Angles that turn about the axis of a spin.
     Separated,
@@ -34,7 +34,7 @@ impl Orbit {
         }
     }
 
-    /// Does a ray stay in a plane through the centre?
+    /// Does a ray stay in a plane through the center?
     #[must_use]
     pub fn is_plane(&self) -> bool {
         matches!(self.form, OrbitForm::Plane(_))
@@ -44,7 +44,7 @@ impl Orbit {
 /// What joins two places of a law's space: a sphere round each, into which rays go at one to come out at the other.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Throat {
-    /// The spheres' centres, on this side and on the other.
+    /// The spheres' centers, on this side and on the other.
     pub mouths: [DVec3; 2],
     /// Their radius.
     pub radius: f64,

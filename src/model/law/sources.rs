@@ -97,7 +97,7 @@ impl Sources {
         [parts.clone().sum(), parts.map(f64::abs).sum()]
     }
 
-    /// The orbit about the only centre, if there is one.
+    /// The orbit about the only center, if there is one.
     fn orbit(&self) -> Option<Orbit> {
         let [only] = self.0.as_slice() else { return None };
         let falloff = only.falloff.kind;
@@ -156,7 +156,7 @@ impl Law for Sources {
         self.0.iter().filter(|source| source.capture > 0.0).map(capture).collect()
     }
 
-    /// The energy ½|v|² + V, and about a single centre x × v.
+    /// The energy ½|v|² + V, and about a single center x × v.
     fn invariants(&self, x: DVec3, v: DVec3) -> Vec<Invariant> {
         let kinetic = 0.5 * v.length_squared();
         let [potential, size] = self.potential(x);

@@ -1,4 +1,4 @@
-//! Matter in a thin disc round a hole.
+//! Matter in a thin accretion disk around a black hole.
 
 use std::sync::Arc;
 
@@ -28,14 +28,14 @@ pub static KIND: Kind = Kind {
     },
 };
 
-/// Matter on circular orbits, as bright as what it loses to reach them.
+/// Matter on circular orbits that radiates the energy released by viscosity.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Accretion {
-    /// Of the hottest ring, in kelvins; none if what is seen is all light together.
+    /// The temperature of the hottest ring, in kelvins; `None` to show the bolometric flux.
     pub temperature: Option<f64>,
-    /// The luminance of the hottest ring, at rest.
+    /// The luminance of the hottest ring in its rest frame.
     pub brightness: f64,
-    /// The part of light that it holds back, and of a black body's that it sends.
+    /// The fraction of light that the disk absorbs, which is also its emissivity relative to a black body.
     pub opacity: f64,
 }
 

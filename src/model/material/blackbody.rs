@@ -1,4 +1,4 @@
-//! A surface that radiates as a black body does.
+//! A surface that radiates as a black body.
 
 use std::sync::Arc;
 
@@ -24,12 +24,12 @@ pub static KIND: Kind = Kind {
     },
 };
 
-/// Radiates by Planck's law.
+/// A surface that radiates according to Planck's law.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Blackbody {
-    /// In kelvins.
+    /// The temperature in kelvins.
     pub temperature: f64,
-    /// Its luminance.
+    /// The luminance.
     pub brightness: f64,
 }
 

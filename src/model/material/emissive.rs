@@ -1,4 +1,4 @@
-//! A surface that radiates its colour.
+//! A surface that radiates its color.
 
 use std::sync::Arc;
 
@@ -26,12 +26,12 @@ pub static KIND: Kind = Kind {
     },
 };
 
-/// Radiates its colour.
+/// A surface that radiates its color.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Emissive {
-    /// The part of other light that it gives back, on paths.
+    /// The fraction of incident light that the surface reflects diffusely in path tracing.
     pub diffuse: DVec3,
-    /// Do paths aim at it?
+    /// Is `true` if next-event estimation samples the surface.
     pub is_aimed_at: bool,
 }
 

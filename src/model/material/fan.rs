@@ -1,4 +1,4 @@
-//! A law of the user's own for what a surface sends on: several directions at once, each with a weight (G95 §6).
+//! A ray splitter: a surface that sends rays in several user-defined directions, each with a weight (G95 §6).
 
 use std::sync::Arc;
 
@@ -26,7 +26,7 @@ pub static KIND: Kind = Kind {
     },
 };
 
-/// Rays of one surface, at most.
+/// The largest number of rays that leave one surface.
 const MOST: usize = 8;
 const EXAMPLE: &str = "[[\"dx + 2*c*nx\", \"dy + 2*c*ny\", \"dz + 2*c*nz\", \"1\"]]";
 
@@ -39,7 +39,7 @@ fn rays(table: &TableReader) -> Option<Vec<FanRay>> {
             return None;
         }
     };
-    // All are read before any is missed.
+    // All entries are read before the first error returns, so that every error is reported.
     let all: Vec<Option<FanRay>> = items.iter().map(|item| ray(table, item)).collect();
     all.into_iter().collect()
 }
@@ -62,7 +62,7 @@ fn ray(table: &TableReader, item: &Node) -> Option<FanRay> {
     read.ok()
 }
 
-/// Sends rays on in several directions.
+/// A surface that splits a ray into several directions.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Fan(pub Vec<FanRay>);
 
@@ -71,7 +71,7 @@ impl Surface for Fan {
         Facts { fan: Some(&self.0), ..Facts::scattering("surface/scatter/fan") }
     }
 
-    /// What its rays weigh is for the user to say.
+    /// The weights are the user's responsibility.
     fn albedo(&self, color: DVec3) -> DVec3 {
         color
     }

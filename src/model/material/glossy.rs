@@ -1,4 +1,4 @@
-//! A surface that reflects about the mirror's direction (thesis 2.2.3).
+//! A surface that reflects in a lobe around the mirror direction (T 2.2.3).
 
 use std::sync::Arc;
 
@@ -24,10 +24,10 @@ pub static KIND: Kind = Kind {
     },
 };
 
-/// Reflects rays in a lobe about the mirror's direction.
+/// A surface that reflects rays in a lobe around the mirror direction.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Glossy {
-    /// e of cosᵉ.
+    /// The exponent e of cosᵉ.
     pub exponent: f64,
 }
 

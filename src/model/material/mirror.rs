@@ -1,4 +1,4 @@
-//! A surface that reflects rays, with its colour as the part of the light that it gives back.
+//! A mirror, whose color is its reflectance.
 
 use std::sync::Arc;
 
@@ -16,7 +16,7 @@ pub static KIND: Kind = Kind {
     read: |table, files| Some((pattern::read(table, "color", Some(DVec3::ONE), files)?, Arc::new(Mirror))),
 };
 
-/// Reflects rays.
+/// A surface that reflects rays.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Mirror;
 

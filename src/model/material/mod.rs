@@ -1,9 +1,9 @@
-//! Materials: how a surface answers light. The contract, and the table of kinds.
+//! Materials, which define how a surface reflects and emits light: the contract and the table of kinds.
 //!
-//! *Theory.* A kind whose rays end on the surface gives `radiance_KIND` in WGSL, one from which they continue `scatter_KIND`. All read
-//! the same record, `Material`, each its own members.
+//! *Theory.* If rays end on a surface, its kind implements `radiance_KIND` in WGSL; if rays continue, it implements `scatter_KIND`. All
+//! kinds share the record `Material` and read different members of it.
 //!
-//! *Practice.* [`KINDS`] names each kind once. Adding one is a WGSL file, a file here and a line of that table.
+//! *Practice.* [`KINDS`] lists each kind once. To add a kind, add a WGSL file, a file here and a line of that table.
 
 mod accretion;
 mod blackbody;
@@ -36,11 +36,11 @@ pub use pattern::Pattern;
 pub use phong::Phong;
 pub use throat::Throat;
 
-/// Reads the colour that a material uses, and what it does with it; none if it cannot be used.
+/// Reads the color of a material and its behavior; returns `None` after an error.
 type Read = fn(&TableReader, &mut Files) -> Option<(Pattern, Arc<dyn Surface>)>;
 type Kind = document::Kind<Read>;
 
-/// Every kind of material. Adding one is a line here.
+/// The table of all materials; a new kind needs one line here.
 pub static KINDS: Kinds<Read> = Kinds {
     table: "materials.NAME",
     chooser: "kind",
@@ -49,14 +49,14 @@ pub static KINDS: Kinds<Read> = Kinds {
     all: &[&phong::KIND, &emissive::KIND, &blackbody::KIND, &accretion::KIND, &mirror::KIND, &glossy::KIND, &fan::KIND],
 };
 
-/// `[materials.NAME]`.
+/// A table `[materials.NAME]`.
 #[derive(Debug, Clone)]
 pub struct Material {
-    /// The name in the file.
+    /// The name in the scene file.
     pub name: String,
-    /// The colour that its kind uses, over the surface.
+    /// The color over the surface, which the kind interprets.
     pub color: Pattern,
-    /// How it answers light.
+    /// The behavior of the surface.
     pub surface: Arc<dyn Surface>,
 }
 
@@ -66,36 +66,36 @@ impl PartialEq for Material {
     }
 }
 
-/// What is known of a surface whatever its color.
+/// The properties of a surface that do not depend on its color.
 #[derive(Debug, Clone)]
 #[allow(clippy::struct_excessive_bools)] // facts, each by itself
 pub struct Facts<'a> {
-    /// Its WGSL part: a path whose last name is in those of its functions, and in capitals its code.
+    /// The path of the WGSL module; its last name is the suffix of the functions and, in capitals, of the code.
     pub part: &'static str,
-    /// Do rays continue from it?
+    /// Is `true` if rays continue from the surface.
     pub continues: bool,
-    /// Does a ray that continues from it leave the path that the law alone would take it along?
+    /// Is `true` if a ray that continues from the surface leaves the path that the law alone defines.
     pub deflects: bool,
-    /// The part of a ray's light that is its own, where rays end on it; the rest comes straight from behind.
+    /// The fraction of a ray's light that the surface contributes if rays end on it; the rest comes from straight behind.
     pub opacity: f64,
-    /// Where rays go on from it, if the user says so.
+    /// The user-defined directions of a ray splitter, if the surface is one.
     pub fan: Option<&'a [FanRay]>,
-    /// Do paths aim at it, if it emits?
+    /// Is `true` if next-event estimation samples the surface when it emits.
     pub is_aimed_at: bool,
-    /// Does a ray go on in a direction that is drawn from a lobe?
+    /// Is `true` if the direction of a continuing ray is sampled from a lobe.
     pub has_lobe: bool,
-    /// Does it give back light about the mirror's direction?
+    /// Is `true` if the surface reflects light in a lobe around the mirror direction.
     pub is_glossy: bool,
-    /// Does its color follow from a temperature?
+    /// Is `true` if the color follows from a temperature.
     pub has_temperature: bool,
-    /// Does it go round as matter does by its law, and not rest?
+    /// Is `true` if the surface orbits like the law's matter instead of being static.
     pub orbits: bool,
-    /// Is it lit by the scene's lights?
+    /// Is `true` if the scene's lights illuminate the surface.
     pub is_lit: bool,
 }
 
 impl Facts<'_> {
-    /// Returns the facts of a surface on which rays end, by this WGSL part.
+    /// Returns the properties of a surface on which rays end, with this WGSL module.
     #[must_use]
     pub fn ending(part: &'static str) -> Self {
         Self {
@@ -113,29 +113,29 @@ impl Facts<'_> {
         }
     }
 
-    /// Returns the facts of a surface that rays continue from, by this WGSL part.
+    /// Returns the properties of a surface from which rays continue, with this WGSL module.
     #[must_use]
     pub fn scattering(part: &'static str) -> Self {
         Self { continues: true, deflects: true, ..Self::ending(part) }
     }
 }
 
-/// How a surface answers light.
+/// The behavior of a surface.
 pub trait Surface: fmt::Debug + Send + Sync + Same {
-    /// What is known of it whatever its color.
+    /// Returns the properties that do not depend on the color.
     fn facts(&self) -> Facts<'_>;
 
-    /// The members of `Material` that are its own.
+    /// Returns the members of `Material` that only this kind has.
     fn values(&self) -> Row {
         Row::new()
     }
 
-    /// What it radiates by itself, on the mean; `color` is that of its pattern.
+    /// Returns the mean emitted radiance; `color` is the mean of the pattern.
     fn emission(&self, _color: DVec3) -> DVec3 {
         DVec3::ZERO
     }
 
-    /// The part of the light that it gives back at most, where its pattern has this color.
+    /// Returns an upper bound of the reflected fraction of light at a point of this color.
     fn albedo(&self, _color: DVec3) -> DVec3 {
         DVec3::ZERO
     }
@@ -143,8 +143,8 @@ pub trait Surface: fmt::Debug + Send + Sync + Same {
 
 same!(Surface);
 
-/// The names of all materials, and those that can be used, both in the order of the file. On `paths` none may give back more light than
-/// it gets.
+/// Reads all materials, and returns all names and the materials without errors, both in the order of the file. With `paths`, no material
+/// may reflect more light than it receives.
 pub(crate) fn read<'a>(root: &TableReader<'_, 'a>, files: &mut Files, paths: bool) -> (Vec<&'a str>, Vec<Material>) {
     let Some(table) = root.subtable("materials", "materials") else {
         return (Vec::new(), Vec::new());
@@ -163,7 +163,7 @@ pub(crate) fn read<'a>(root: &TableReader<'_, 'a>, files: &mut Files, paths: boo
     (names, materials.collect())
 }
 
-/// A surface that gave back more light than it gets would make a path's light grow without end.
+/// Reports a surface that reflects more light than it receives, because the throughput of a path would grow without limit.
 fn check_albedo(table: &TableReader, material: &Material, pictures: &[Picture]) {
     let albedo = material.surface.albedo(material.color.largest(pictures)).max_element();
     if albedo > 1.0 + 1e-9 {

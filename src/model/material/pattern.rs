@@ -1,4 +1,4 @@
-//! A colour over a surface's (u, v).
+//! Colors over the (u, v) coordinates of a surface.
 
 use glam::{DVec2, DVec3, Vec3};
 
@@ -8,34 +8,34 @@ use crate::document::values::{array, boolean, color, extents_2d};
 use crate::document::{Node, Value};
 use crate::model::{Row, row};
 
-/// A colour over a surface.
+/// A color over a surface.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Pattern {
-    /// The same everywhere.
+    /// One color everywhere.
     Constant(DVec3),
-    /// Two colours in turn.
+    /// A checkerboard of two colors.
     Checker {
-        /// The two colours.
+        /// The two colors.
         colors: [DVec3; 2],
-        /// Cells along u and v.
+        /// The number of cells along u and v.
         repeat: DVec2,
     },
-    /// A picture: index into [`Scene::pictures`](crate::scene::Scene::pictures).
+    /// An image texture.
     Picture {
-        /// Which.
+        /// The index into [`Scene::pictures`](crate::scene::Scene::pictures).
         picture: usize,
-        /// How often it repeats along u and v.
+        /// The number of repetitions along u and v.
         repeat: DVec2,
     },
-    /// Another pattern, multiplied by vertex colors. Objects with it are meshes that have some.
+    /// Another pattern multiplied by vertex colors; only for meshes that have vertex colors.
     VertexColors(Box<Self>),
 }
 
 impl Pattern {
-    /// Their names in `shaders/surface/pattern.wgsl`.
+    /// The names of the patterns in `shaders/surface/pattern.wgsl`.
     pub const PARTS: [&'static str; 3] = ["constant", "checker", "image"];
 
-    /// Returns `true` if it varies in a way that pixels average over what they see of it.
+    /// Returns `true` if the pattern varies, so that it must be averaged over a pixel footprint.
     #[must_use]
     pub fn is_averaged(&self) -> bool {
         match self {
@@ -45,7 +45,7 @@ impl Pattern {
         }
     }
 
-    /// Does it give all colours the same part?
+    /// Returns `true` if all colors have equal channel ratios.
     #[must_use]
     pub fn is_gray(&self) -> bool {
         let gray = |color: &DVec3| *color == DVec3::splat(color.x);
@@ -56,13 +56,13 @@ impl Pattern {
         }
     }
 
-    /// Returns `true` if it is multiplied by vertex colors.
+    /// Returns `true` if the pattern is multiplied by vertex colors.
     #[must_use]
     pub fn has_vertex_colors(&self) -> bool {
         matches!(self, Self::VertexColors(_))
     }
 
-    /// Its mean over the surface, where vertex colors are white; `pictures` are the scene's.
+    /// Returns the mean over the surface, with white vertex colors; `pictures` are the scene's images.
     #[must_use]
     pub fn mean(&self, pictures: &[Picture]) -> DVec3 {
         match self {
@@ -77,7 +77,7 @@ impl Pattern {
         }
     }
 
-    /// Each channel's largest value.
+    /// Returns the maximum of each channel.
     #[must_use]
     pub fn largest(&self, pictures: &[Picture]) -> DVec3 {
         match self {
@@ -92,7 +92,7 @@ impl Pattern {
         }
     }
 
-    /// Returns its name in WGSL, without vertex colors.
+    /// Returns the name of the pattern in WGSL, without vertex colors.
     #[must_use]
     pub fn part(&self) -> &'static str {
         Self::PARTS[match self {
@@ -103,7 +103,7 @@ impl Pattern {
         }]
     }
 
-    /// The members of `Material` that are its own.
+    /// Returns the members of `Material` that only this pattern has.
     #[must_use]
     pub fn values(&self) -> Row {
         match self {
@@ -117,7 +117,7 @@ impl Pattern {
     }
 }
 
-/// The pattern of a key, or `default` without it.
+/// Reads the pattern of a key; returns `default` if the key is missing.
 pub(super) fn read(
     table: &TableReader,
     key: &'static str,
@@ -137,7 +137,7 @@ pub(super) fn read(
     }
 }
 
-/// A colour, or a table that says how it varies; `path` is the table's name in the reference.
+/// Reads a color, or a table that varies it over the surface; `path` is the table's name in the reference.
 fn given(table: &TableReader, path: &'static str, node: &Node, files: &mut Files) -> Option<Pattern> {
     const CHOICES: &str =
         "[red, green, blue], { checker = [[..], [..]] }, { image = \"file\" } or { vertex_colors = true }";
@@ -151,7 +151,7 @@ fn given(table: &TableReader, path: &'static str, node: &Node, files: &mut Files
         }
     }
     let table = reader.open(path, node)?;
-    // A value that is wrong is one mistake, and no second one is made of it.
+    // After an invalid value, no second error follows from the missing one.
     let has_vertex_colors = table.optional("vertex_colors", boolean).unwrap_or(table.gives("vertex_colors"));
     let kinds = ["color", "checker", "image"];
     let kind = if has_vertex_colors { table.one_of(&kinds) } else { table.required_one_of(&kinds, CHOICES) };

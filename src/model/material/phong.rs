@@ -1,4 +1,4 @@
-//! Ambient, diffuse and Blinn–Phong specular terms (W04 §3.4).
+//! The Blinn–Phong model with ambient, diffuse and specular terms (W04 §3.4).
 
 use std::sync::Arc;
 
@@ -33,16 +33,16 @@ pub static KIND: Kind = Kind {
     },
 };
 
-/// Lit by the scene's lights, with its colour as the diffuse one.
+/// A surface lit by the scene's lights, with its color as the diffuse reflectance.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Phong {
-    /// Fraction of the colour that is always there.
+    /// The fraction of the color that is added without light.
     pub ambient: f64,
-    /// Colour of the highlight.
+    /// The color of the highlight.
     pub specular: DVec3,
-    /// Blinn's exponent.
+    /// The Blinn exponent.
     pub shininess: f64,
-    /// Radiance of its own, added.
+    /// The emitted radiance, which is added.
     pub emission: DVec3,
 }
 

@@ -1,10 +1,10 @@
-//! A wormhole's throat: what meets it goes on from its other mouth. Scenes do not name it; the law puts it there.
+//! The throat of a wormhole: rays that hit it continue from its other mouth. The law places it; scenes do not name it.
 
 use glam::DVec3;
 
 use super::{Facts, Surface};
 
-/// Sends rays on from the other mouth.
+/// A surface that moves rays to the other mouth.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Throat;
 

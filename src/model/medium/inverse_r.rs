@@ -35,10 +35,10 @@ fields! {
     }
 }
 
-/// What becomes of rays that move towards the centre.
+/// What becomes of rays that move towards the center.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Ingoing {
-    /// They wind into the centre and are captured there.
+    /// They wind into the center and are captured there.
     Black,
     /// They are taken for outgoing ones: |d·b| stands for d·b (thesis Figs. 43 and 46).
     Continued,

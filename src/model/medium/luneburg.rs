@@ -1,4 +1,4 @@
-//! Luneburg's lens, generalised: n = √(C − r²/R²) (thesis Eq. 16). Paths are harmonic.
+//! Luneburg's lens, generalized: n = √(C − r²/R²) (thesis Eq. 16). Paths are harmonic.
 
 use std::sync::Arc;
 

@@ -24,9 +24,9 @@ pub static KIND: Kind = Kind {
 
 /// Terms, at most.
 const TERMS: usize = 4;
-/// Visible light, nanometres.
+/// Visible light, nanometers.
 pub const VISIBLE: RangeInclusive<f64> = 380.0..=730.0;
-/// Helium's yellow line d, by which glasses are named, nanometres.
+/// Helium's yellow line d, by which glasses are named, nanometers.
 pub const D_LINE: f64 = 587.561_8;
 
 /// B and C of common glasses, as in the refractiveindex.info database: N-BK7 and N-SF11 from Schott's catalogue; silica (Malitson 1965,
@@ -67,12 +67,12 @@ const fn glass(b: [f64; TERMS], c: [f64; TERMS]) -> Sellmeier {
 pub struct Sellmeier {
     /// B.
     pub b: [f64; TERMS],
-    /// C, square micrometres.
+    /// C, square micrometers.
     pub c: [f64; TERMS],
 }
 
 impl Sellmeier {
-    /// n² at a wavelength in nanometres.
+    /// n² at a wavelength in nanometers.
     fn square(&self, wavelength: f64) -> f64 {
         let square = square_micrometres(wavelength);
         let terms = self.b.iter().zip(self.c).map(|(b, c)| b * square / (square - c));
@@ -80,7 +80,7 @@ impl Sellmeier {
     }
 }
 
-/// The square of a wavelength in nanometres.
+/// The square of a wavelength in nanometers.
 fn square_micrometres(wavelength: f64) -> f64 {
     (1e-3 * wavelength).powi(2)
 }

@@ -52,7 +52,7 @@ pub const TOLERANT: Method = Method { kind: &dormand_prince::KIND, own: 0.0 };
 pub enum Path {
     /// By closed forms alone.
     Closed,
-    /// By an equation of the orbit about the law's only centre.
+    /// By an equation of the orbit about the law's only center.
     Orbit,
     /// By steps of the law's differential equation.
     Steps,
@@ -112,7 +112,7 @@ pub struct Method {
 pub struct Demands {
     /// What the law's derivative depends on.
     pub order: Order,
-    /// Has the law a single centre, so that a ray stays in a plane?
+    /// Has the law a single center, so that a ray stays in a plane?
     pub has_plane: bool,
     /// Is it that of a spin, whose orbits separate?
     pub separates: bool,

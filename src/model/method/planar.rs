@@ -1,4 +1,4 @@
-//! The orbit's equation in the ray's own plane (Binet): for laws with one centre.
+//! The orbit's equation in the ray's own plane (Binet): for laws with one center.
 
 use super::{Kind, Path, Refusal, refuses_orbits};
 use crate::model::control::scaled;

@@ -1,45 +1,44 @@
-//! Which objects touch: whose surfaces lie on each other over an area.
+//! Contacts: pairs of objects whose surfaces coincide over an area.
 //!
-//! *Theory.* A surface is made of flat faces and round ones. Two of them have an area in common only if they lie in the same
-//! plane, or are the same quadric; what meets in points or along lines, such as a ball on a table, does not count: almost no
-//! ray comes there.
+//! *Theory.* A surface consists of flat and curved faces. Two faces can share an area only if they are in one plane or on one quadric.
+//! Contacts in points or along lines, such as a ball on a table, do not count, because almost no ray hits them.
 //!
-//! *Practice.* For pairs of objects on the host. It may say so of two that only have faces in the same plane, nearby: that
-//! costs time and changes nothing. Of a mesh it is asked whether triangles of it lie in a flat face of the other, which takes
-//! a few products for each; two meshes are not compared.
+//! *Practice.* The host tests pairs of objects. The test may also report two objects that only have faces close together in one plane,
+//! which costs time but does not change the image. For a mesh, it tests whether a triangle is in a flat face of the other object, which
+//! takes a few products per face; two meshes are not compared.
 
 use glam::{DAffine3, DMat3, DVec3};
 
 use super::Object;
 use crate::assets::Mesh;
 
-/// What is nearer to each other than this part of the coordinates is together: twice what the shaders allow.
+/// The distance, relative to the coordinates, below which surfaces coincide: twice the tolerance of the shaders.
 const TOGETHER: f64 = 4e-6;
 
-/// The sine of an angle between planes from which on they cross.
+/// The sine of the angle above which two planes cross.
 const PARALLEL: f64 = 1e-3;
 
-/// A part of a surface by which it may lie on others.
+/// A face of a surface that may coincide with another.
 #[derive(Debug, Clone, Copy)]
 pub enum Contact {
-    /// In the plane through this point, across this unit vector.
+    /// A flat face.
     Flat {
         /// A point of the plane.
         at: DVec3,
-        /// Its unit normal.
+        /// The unit normal.
         normal: DVec3,
     },
-    /// Where (x − middle)ᵀ form (x − middle) = 1.
+    /// A quadric: (x − middle)ᵀ form (x − middle) = 1.
     Round {
         /// The quadratic form.
         form: DMat3,
-        /// Its centre.
+        /// The center.
         middle: DVec3,
     },
 }
 
 impl Object {
-    /// May its surface lie on that of the other, over an area?
+    /// Returns `true` if this face may coincide with the other over an area.
     #[must_use]
     pub fn may_touch(&self, other: &Self) -> bool {
         let ((lo, hi), (other_lo, other_hi)) = (self.bounds(), other.bounds());
@@ -60,24 +59,24 @@ impl Object {
 }
 
 impl Contact {
-    /// Through the end of this axis of a shape's own space, across it.
+    /// Returns the flat face perpendicular to an axis of object space, through the end of this axis.
     fn flat(map: DAffine3, axis: DVec3) -> Self {
         let normal = (map.matrix3.inverse().transpose() * axis).normalize_or_zero();
         Self::Flat { at: map.transform_point3(axis), normal }
     }
 
-    /// Both faces across an axis of a shape's own space.
+    /// Returns both faces perpendicular to an axis of object space.
     pub(super) fn ends(map: DAffine3, axis: DVec3) -> [Self; 2] {
         [Self::flat(map, axis), Self::flat(map, -axis)]
     }
 
-    /// y = 0 of a shape's own space.
+    /// Returns the plane y = 0 of object space.
     pub(super) fn level(map: DAffine3) -> Self {
         let normal = (map.matrix3.inverse().transpose() * DVec3::Y).normalize_or_zero();
         Self::Flat { at: map.translation, normal }
     }
 
-    /// The unit sphere of a shape's own space, or with a part of its axes the cylinder along the others.
+    /// Returns the unit sphere of object space, or with some of its axes the cylinder along the others.
     pub(super) fn round(map: DAffine3, axes: DVec3) -> Self {
         let inverse = map.matrix3.inverse();
         Self::Round { form: inverse.transpose() * DMat3::from_diagonal(axes) * inverse, middle: map.translation }
@@ -92,7 +91,7 @@ impl Contact {
             }
             (Self::Round { form, middle }, Self::Round { form: other_form, middle: other_middle }) => {
                 let largest = |m: DMat3| m.to_cols_array().into_iter().fold(0.0, |most: f64, a| most.max(a.abs()));
-                // In parts of the smallest radius, whose inverse square is about the form's largest element.
+                // Relative to the smallest radius, whose inverse square is about the largest element of the form.
                 let part = near * largest(*form).sqrt();
                 let shift = *middle - *other_middle;
                 let shifted = shift.dot(*form * shift).max(0.0).sqrt();
@@ -102,7 +101,7 @@ impl Contact {
         }
     }
 
-    /// Do these three points lie in it, if it is flat?
+    /// Returns `true` if the face is flat and contains these three points.
     fn holds(&self, points: [DVec3; 3], near: f64) -> bool {
         match self {
             Self::Flat { at, normal } => points.iter().all(|x| normal.dot(*x - *at).abs() <= near),

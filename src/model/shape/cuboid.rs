@@ -1,4 +1,4 @@
-//! The cube |x|, |y|, |z| ≤ 1; each face has (u, v) in [0, 1].
+//! The cube |x|, |y|, |z| ≤ 1, with (u, v) in [0, 1] on each face.
 
 use std::sync::Arc;
 
@@ -22,7 +22,7 @@ pub static KIND: Kind = Kind {
     read: |table, _, _| Some((Arc::new(Cuboid), place(table)?)),
 };
 
-/// From center and size, or from min and max.
+/// Reads the placement from center and size, or from min and max.
 fn place(table: &TableReader) -> Option<DAffine3> {
     let corners = (table.optional("min", vector), table.optional("max", vector));
     let center = table.optional("center", vector);
@@ -43,7 +43,7 @@ fn place(table: &TableReader) -> Option<DAffine3> {
 
 pub static SOLID: Solid = Solid::listed("box", "boxes", Placed::space, false);
 
-/// The box from −1 to 1 along each axis; a [`Transform`]'s scale is half its edges.
+/// The box from −1 to 1 along each axis; the scale of a [`Transform`] is half its edges.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Cuboid;
 

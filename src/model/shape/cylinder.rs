@@ -1,5 +1,5 @@
-//! The cylinder x² + z² ≤ 1, |y| ≤ 1 with both faces. u runs round y; v runs upwards, over each of the lower face (from its middle
-//! to the rim), the mantle and the upper face (from the rim to its middle).
+//! The cylinder x² + z² ≤ 1, |y| ≤ 1 with both faces. u runs around y. v runs upwards over each of the lower face (from its center to the
+//! rim), the mantle, and the upper face (from the rim to its center).
 
 use std::sync::Arc;
 
@@ -32,7 +32,7 @@ pub static KIND: Kind = Kind {
 
 pub static SOLID: Solid = Solid::listed("cylinder", "cylinders", Placed::space, false);
 
-/// A closed cylinder of radius 1 along y, from y = −1 to 1; a [`Transform`]'s scale is its radius and half its height.
+/// A closed cylinder of radius 1 along y, from y = −1 to 1; the scale of a [`Transform`] is its radius and half its height.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Cylinder;
 
@@ -43,7 +43,7 @@ impl Shape for Cylinder {
 
     fn faces(&self, p: DVec3) -> Vec<(f64, DVec3)> {
         let across = DVec3::new(p.x, 0.0, p.z);
-        // On the axis every direction away from it is as good.
+        // On the axis every direction away from it is equivalent.
         vec![(across.length() - 1.0, across.normalize_or(DVec3::X)), (p.y.abs() - 1.0, DVec3::Y)]
     }
 

@@ -1,4 +1,4 @@
-//! The disk x² + z² ≤ 1 in y = 0, its normal +y. u runs round y, v from the rim to the middle, or to the hole.
+//! The disk x² + z² ≤ 1, y = 0 with normal +y. u runs around y, v from the outer rim to the center or the inner rim.
 
 use std::sync::Arc;
 
@@ -33,10 +33,10 @@ pub static KIND: Kind = Kind {
 
 pub static SOLID: Solid = Solid::listed("disk", "disks", |placed| placed.space_and("hole"), true);
 
-/// The disk of radius 1 about the origin in the plane y = 0; a [`Transform`]'s scale is its radius.
+/// The disk of radius 1 around the origin in the plane y = 0; the scale of a [`Transform`] is its radius.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Disk {
-    /// The radius of a round hole in it, below 1; zero for none.
+    /// The radius of a round hole in the disk, below 1; zero without a hole.
     pub hole: f64,
 }
 
@@ -70,7 +70,7 @@ impl Shape for Disk {
         1.0
     }
 
-    /// A line, or two beside the hole; its edges if it lies in the plane.
+    /// Returns one line, or two if the plane crosses the hole, or the edges if the disk is in the plane.
     fn cut(&self, plane: OwnPlane) -> Vec<Outline> {
         let slope = DVec3::new(plane.normal.x, 0.0, plane.normal.z);
         if slope.length() <= PARALLEL {

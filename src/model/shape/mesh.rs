@@ -1,4 +1,4 @@
-//! Triangles from a file. Inside is where the surface goes round a point.
+//! Triangle meshes from a file. A point is inside if the surface winds around it.
 
 use std::sync::Arc;
 
@@ -35,11 +35,11 @@ pub static KIND: Kind = Kind {
 
 pub static SOLID: Solid = Solid { name: "triangle", lists: None };
 
-/// Triangles.
+/// A triangle mesh.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Triangles(pub Arc<Mesh>);
 
-/// A name, or a number.
+/// Reads the name or index of a node.
 fn node_name(node: &Node) -> Read<NodeName> {
     match &node.value {
         Value::Text(name) => Ok(NodeName::Name(name.clone())),
@@ -57,7 +57,7 @@ impl Shape for Triangles {
     }
 
     fn contains(&self, p: DVec3) -> bool {
-        // Most places are outside, and that is known sooner than whether there is a hole.
+        // Most points are outside, and the winding number is cheaper than the search for an opening.
         self.0.winding(p).abs() > 0.5 && self.0.opening().is_none()
     }
 
@@ -68,13 +68,13 @@ impl Shape for Triangles {
         let corner = |i: u32| self.0.vertices[i as usize].position.as_dvec3() - p;
         self.0.triangles.iter().any(|triangle| {
             let [a, b, c] = triangle.map(corner);
-            // Of slivers only the box is sure.
+            // For slivers only the box test is reliable.
             let (lo, hi) = (a.min(b).min(c), a.max(b).max(c));
             if lo.max_element() > slack || hi.min_element() < -slack {
                 return false;
             }
             let normal = (b - a).cross(c - a).normalize_or_zero();
-            // Above the triangle the three edges are passed on one side.
+            // Above the triangle all three edges have the point on one side.
             let sides = [a.cross(b), b.cross(c), c.cross(a)].map(|side| side.dot(normal));
             a.dot(normal).abs() <= slack && sides.iter().all(|side| *side >= 0.0)
         })
@@ -101,7 +101,7 @@ impl Shape for Triangles {
     }
 
     fn surroundings(&self, place: &Transform) -> Surroundings {
-        // The file's own origin, wherever the mesh has its own.
+        // The center is the file's origin, not the origin of the stored mesh.
         Surroundings { center: place.0.transform_point3(-self.0.origin), ..Surroundings::default() }
     }
 

@@ -1,10 +1,10 @@
-//! Shapes: what objects are, each in its own space. The contract, and the table of kinds.
+//! Shapes, which define the geometry of objects in object space: the contract and the table of kinds.
 //!
-//! *Theory.* A shape stands in a space of its own, where it is simple: an affine map places it in the scene. In WGSL a *solid* is a
-//! shape as the shaders test it: `hit_SOLID`, and where rays go on through it `cross_SOLID`; one kind may be several (a sphere that is
-//! stretched is an ellipsoid).
+//! *Theory.* A shape is defined in object space, where it is simple, and an affine map places it in the scene. In WGSL, a *solid* is the
+//! form of a shape that shaders test: `hit_SOLID`, and `cross_SOLID` if rays continue through it. One kind may have several solids (a
+//! stretched sphere is an ellipsoid).
 //!
-//! *Practice.* [`KINDS`] names each kind once, [`SOLIDS`] each solid. Adding one is a WGSL file, a file here and a line of each.
+//! *Practice.* [`KINDS`] lists each kind once, [`SOLIDS`] each solid. To add one, add a WGSL file, a file here and a line of each.
 
 mod contact;
 mod cuboid;
@@ -45,12 +45,12 @@ pub use solid::{Placed, Solid};
 pub use sphere::Sphere;
 pub use travel::Travel;
 
-/// Reads a shape, with the map from its own space that its keys make; none if it cannot be used. `across` is twice the radius of
-/// the bounding sphere.
+/// Reads a shape, with the map from object space that its keys define; returns `None` after an error. `across` is the diameter of the
+/// bounding sphere.
 type Read = fn(&TableReader, across: f64, &mut Files) -> Option<(Arc<dyn Shape>, DAffine3)>;
 type Kind = document::Kind<Read>;
 
-/// Every kind of shape. Adding one is a line here.
+/// The table of all shapes; a new kind needs one line here.
 pub static KINDS: Kinds<Read> = Kinds {
     table: "objects",
     chooser: "shape",
@@ -59,111 +59,112 @@ pub static KINDS: Kinds<Read> = Kinds {
     all: &[&sphere::KIND, &plane::KIND, &cuboid::KIND, &cylinder::KIND, &disk::KIND, &mesh::KIND],
 };
 
-/// Every solid, by name.
+/// The solids, by name.
 pub const SOLIDS: [&Solid; 7] =
     [&cuboid::SOLID, &cylinder::SOLID, &disk::SOLID, &sphere::ELLIPSOID, &plane::SOLID, &sphere::SOLID, &mesh::SOLID];
 
-/// A shape in its own space, where its size is about 1.
+/// A shape in object space, where its size is about 1.
 pub trait Shape: fmt::Debug + Send + Sync + Same {
-    /// What the shaders test, in this place.
+    /// Returns the solid that shaders test after this placement.
     fn solid(&self, place: &Transform) -> &'static Solid;
 
-    /// The number that its solid has besides a place: a radius, or that of a hole.
+    /// Returns the number that the solid needs in addition to its placement, such as a radius or the inner radius of a disk.
     fn number(&self, place: &Transform) -> f64 {
         let _ = place;
         0.0
     }
 
-    /// Its triangles, if it is made of them.
+    /// Returns the triangles of a mesh.
     fn mesh(&self) -> Option<&Arc<Mesh>> {
         None
     }
 
-    /// For each kind of face a function that is below 0 inside, and its gradient, a unit vector. None if the shape has no inside.
+    /// Returns one function for each kind of face, negative inside, with its gradient as a unit vector; empty if the shape has no inside.
     fn faces(&self, p: DVec3) -> Vec<(f64, DVec3)> {
         let _ = p;
         Vec::new()
     }
 
-    /// Is this point of its space inside? The surface itself is outside, or for meshes either.
+    /// Returns `true` if a point of object space is inside. Surface points are outside, except for meshes, where they may be either.
     fn contains(&self, p: DVec3) -> bool {
         let faces = self.faces(p);
         !faces.is_empty() && faces.iter().all(|(value, _)| *value < 0.0)
     }
 
-    /// Is this point of its space no farther than `slack` from the surface?
+    /// Returns `true` if a point of object space is within `slack` of the surface.
     fn near_surface(&self, p: DVec3, slack: f64) -> bool {
         self.faces(p).into_iter().map(|(value, _)| value).reduce(f64::max).is_some_and(|value| value.abs() <= slack)
     }
 
-    /// Returns why light cannot go through it, if it cannot: it has no inside, or a ray may cross it more than once. What tests clear
-    /// shapes knows one entry and one exit of each, except for meshes, whose triangles it counts.
+    /// Returns why the shape cannot have an interior: it has no inside, or a ray may cross it more than once. The test of transparent
+    /// shapes supports one entry and one exit, except for meshes, where it counts triangles.
     fn refuses_interior(&self) -> Option<String> {
         None
     }
 
-    /// Returns the shapes that stand for it if rays are on one of its sides, because its own surface does not say which side is
-    /// inside, or is around some points more than once. Returns none if the shape can be used itself.
+    /// Returns the shapes that replace it if rays track their side, because its surface does not define an inside or encloses some points
+    /// more than once. Returns none if the shape can be used unchanged.
     fn solids(&self) -> Vec<Arc<dyn Shape>> {
         Vec::new()
     }
 
-    /// The parts of its surface, placed by a map, by which it may lie on others.
+    /// Returns the faces of the mapped surface that may coincide with others.
     fn contacts(&self, map: DAffine3) -> Vec<Contact>;
 
-    /// The greatest distance from `center` to a point of it, placed by a map; none where it may reach beyond the bound.
+    /// Returns the greatest distance from `center` to a point of the mapped shape, or `None` if it may extend beyond the bounding sphere.
     fn reach(&self, map: DAffine3, center: DVec3) -> Option<f64>;
 
-    /// The radius of a ball about the origin that holds all of it.
+    /// Returns the radius of a bounding sphere around the origin of object space.
     fn radius(&self) -> f64;
 
-    /// Where its surface crosses a plane. A surface that lies in the plane shows its edge.
+    /// Returns the lines in which the surface crosses a plane, or its edge if it is in the plane.
     fn cut(&self, plane: OwnPlane) -> Vec<Outline>;
 
-    /// The length of a vector in the norm whose unit ball it is; for shapes with an inside.
+    /// Returns the length of a vector in the norm whose unit ball is the shape; for shapes with an inside.
     fn norm(&self, d: DVec3) -> f64 {
         d.length()
     }
 
-    /// A box about it, placed by a map: lower and upper corner.
+    /// Returns the lower and upper corner of a bounding box of the mapped shape.
     fn bounds(&self, map: DAffine3) -> (DVec3, DVec3) {
-        // A transformed cube's half extents; they bound what is in it.
+        // The half extents of the transformed cube bound its contents.
         let m = map.matrix3;
         let half = m.x_axis.abs() + m.y_axis.abs() + m.z_axis.abs();
         (map.translation - half, map.translation + half)
     }
 
-    /// What a medium in it takes its place and size from.
+    /// Returns the defaults of position and size for a medium in the shape.
     fn surroundings(&self, place: &Transform) -> Surroundings {
         Surroundings { center: place.0.translation, ..Surroundings::default() }
     }
 
-    /// Its radius, if it is a ball there.
+    /// Returns the radius if the placed shape is a ball.
     fn ball_radius(&self, place: &Transform) -> Option<f64> {
         let _ = place;
         None
     }
 
-    /// Is a ball wholly inside, as far as that is known?
+    /// Returns `true` if a ball is certainly inside.
     fn holds_ball(&self, place: &Transform, center: DVec3, radius: f64) -> bool {
         let _ = (place, center, radius);
         false
     }
 
-    /// The radius of the largest ball about a point that is inside; 0 where that is not known.
+    /// Returns the radius of the largest known ball inside the shape around a point; 0 if unknown.
     fn ball_inside(&self, place: &Transform, center: DVec3) -> f64 {
         let _ = (place, center);
         0.0
     }
 
-    /// A ball about the part of it that is in another ball, seen from `middle`; none if there is no such part.
+    /// Returns a bounding sphere of the shape's intersection with another ball, as seen from `middle`, or `None` if there is no
+    /// intersection.
     fn ball_in_ball(&self, place: &Transform, middle: DVec3, center: DVec3, radius: f64) -> Option<(DVec3, f64)> {
         let _ = (middle, center, radius);
         Some(ball(self.radius(), place))
     }
 }
 
-/// The ball of this radius about the origin, placed.
+/// Returns the placed ball of this radius around the origin.
 fn ball(radius: f64, place: &Transform) -> (DVec3, f64) {
     let m = place.0.matrix3;
     let stretch = [m.x_axis, m.y_axis, m.z_axis].into_iter().map(DVec3::length).fold(0.0, f64::max);
@@ -172,9 +173,9 @@ fn ball(radius: f64, place: &Transform) -> (DVec3, f64) {
 
 same!(Shape);
 
-/// `center`.
-const CENTER: Key = keys! { center: "[x, y, z]" = "[0, 0, 0]", "center, in scene units"; }[0];
-/// `radius`.
+/// The key `center`.
+const CENTER: Key = keys! { center: "[x, y, z]" = "[0, 0, 0]", "its middle, scene units"; }[0];
+/// The key `radius`.
 const RADIUS: Key = keys! { radius: "number above 0" = "1", "scene units"; }[0];
-/// `normal`.
-const NORMAL: Key = keys! { normal: "[x, y, z]" = "[0, 1, 0]", "direction of the surface normal"; }[0];
+/// The key `normal`.
+const NORMAL: Key = keys! { normal: "[x, y, z]" = "[0, 1, 0]", "where it faces"; }[0];

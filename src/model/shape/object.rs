@@ -1,8 +1,8 @@
-//! `[[objects]]`: what there is to meet: a shape, where it is, and what it is made of.
+//! Objects in `[[objects]]`: a shape with its placement and its substance.
 //!
-//! *Theory.* An analytic shape is where a few functions of its own coordinates are below 0, one for each of its faces; the distance
-//! from a face is, to first order, the function over the length of its gradient in the scene. A closed mesh is where its winding
-//! number is not 0.
+//! *Theory.* An analytic shape is the region where a few functions of object coordinates are negative, one for each face. To first order,
+//! the distance from a face is its function divided by the length of its gradient in the scene. A closed mesh is the region where its
+//! winding number is not 0.
 
 use std::sync::Arc;
 
@@ -13,16 +13,16 @@ use crate::assets::Transform;
 use crate::model::cut::{CutPlane, Outline, OwnPlane};
 use crate::model::medium::Interior;
 
-/// A shape in its own space, where it is, and what it is made of.
+/// A shape in object space with its placement and its substance.
 #[derive(Debug, Clone)]
 pub struct Object {
     /// The shape.
     pub shape: Arc<dyn Shape>,
-    /// From the shape's own space to the scene's.
+    /// The map from object space to the scene.
     pub transform: Transform,
-    /// What it is made of.
+    /// The substance.
     pub substance: Substance,
-    /// How it moves, if it does.
+    /// The motion; `None` for a static object.
     pub travel: Option<Travel>,
 }
 
@@ -35,23 +35,23 @@ impl PartialEq for Object {
     }
 }
 
-/// What an object is made of.
+/// The substance of an object.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Substance {
-    /// A surface: index into [`Scene::materials`](crate::scene::Scene::materials).
+    /// A surface material: the index into [`Scene::materials`](crate::scene::Scene::materials).
     Opaque(usize),
-    /// A medium that light goes through.
+    /// A transparent medium.
     Clear(Interior),
 }
 
 impl Object {
-    /// At rest.
+    /// Creates a static object.
     #[must_use]
     pub fn new(shape: Arc<dyn Shape>, transform: Transform, substance: Substance) -> Self {
         Self { shape, transform, substance, travel: None }
     }
 
-    /// Returns the objects that stand for it if rays are on one of its sides: itself, unless it is a mesh that is not wound outward or
+    /// Returns the objects that replace it if rays track their side: the object itself, unless it is a mesh that is not wound outward or
     /// overlaps itself.
     #[must_use]
     pub fn solids(self) -> Vec<Self> {
@@ -62,7 +62,7 @@ impl Object {
         solids.into_iter().map(|shape| Self { shape, ..self.clone() }).collect()
     }
 
-    /// The index of its material, if it has one.
+    /// Returns the index of the material, if the object has one.
     #[must_use]
     pub fn material(&self) -> Option<usize> {
         match self.substance {
@@ -71,7 +71,7 @@ impl Object {
         }
     }
 
-    /// What it is filled with, if light goes through it.
+    /// Returns the interior of a transparent object.
     #[must_use]
     pub fn interior(&self) -> Option<&Interior> {
         match &self.substance {
@@ -80,31 +80,31 @@ impl Object {
         }
     }
 
-    /// What the shaders test.
+    /// Returns the solid that shaders test.
     #[must_use]
     pub fn solid(&self) -> &'static Solid {
         self.shape.solid(&self.transform)
     }
 
-    /// A ball that holds all of it: centre and radius.
+    /// Returns the center and radius of a bounding sphere.
     #[must_use]
     pub fn ball(&self) -> (DVec3, f64) {
         ball(self.shape.radius(), &self.transform)
     }
 
-    /// The corners of a box that holds all of it: lower and upper.
+    /// Returns the lower and upper corner of a bounding box.
     #[must_use]
     pub fn bounds(&self) -> (DVec3, DVec3) {
         self.shape.bounds(self.transform.0)
     }
 
-    /// Is this point of the scene inside? Shapes without an inside contain nothing.
+    /// Returns `true` if a point of the scene is inside; shapes without an inside contain no points.
     #[must_use]
     pub fn contains(&self, x: DVec3) -> bool {
         self.shape.contains(self.transform.0.inverse().transform_point3(x))
     }
 
-    /// Is this point of the scene no farther than `slack` from the surface, about?
+    /// Returns `true` if a point of the scene is approximately within `slack` of the surface.
     #[must_use]
     pub fn near_surface(&self, x: DVec3, slack: f64) -> bool {
         let inverse = self.transform.0.inverse();
@@ -113,8 +113,8 @@ impl Object {
         self.shape.near_surface(inverse.transform_point3(x), slack * most)
     }
 
-    /// The signed distance of this point of the scene from the surface, in scene units, to first order: negative inside. None where
-    /// there is no inside, and for meshes. It is exact for spheres, inside boxes, and inside cylinders that are round.
+    /// Returns the signed distance of a point of the scene from the surface to first order, in scene units and negative inside, or `None`
+    /// for meshes and shapes without an inside. It is exact for spheres, inside boxes, and inside circular cylinders.
     #[must_use]
     pub fn gap(&self, x: DVec3) -> Option<f64> {
         let inverse = self.transform.0.inverse();
@@ -123,7 +123,7 @@ impl Object {
         faces.iter().map(|(value, gradient)| value / (to_scene * *gradient).length()).reduce(f64::max)
     }
 
-    /// Where its surface crosses the plane: nothing if it does not. A surface that lies in the plane shows its edge.
+    /// Returns the lines in which the surface crosses a plane, if any, or its edge if it is in the plane.
     #[must_use]
     pub fn cut(&self, plane: &CutPlane) -> Vec<Outline> {
         let map = self.transform.0;

@@ -1,4 +1,4 @@
-//! The square |x| ≤ 1, |z| ≤ 1 in y = 0, its normal +y. (u, v) = ((x+1)/2, (1−z)/2).
+//! The square |x| ≤ 1, |z| ≤ 1, y = 0 with normal +y and (u, v) = ((x+1)/2, (1−z)/2).
 
 use std::sync::Arc;
 
@@ -28,7 +28,7 @@ pub static KIND: Kind = Kind {
 
 pub static SOLID: Solid = Solid::listed("plane", "planes", Placed::space, true);
 
-/// The square from −1 to 1 along x and z, in the plane y = 0; a [`Transform`]'s scale is half its edges.
+/// The square from −1 to 1 along x and z, in the plane y = 0; the scale of a [`Transform`] is half its edges.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Plane;
 
@@ -61,7 +61,7 @@ impl Shape for Plane {
         square(plane).into_iter().collect()
     }
 
-    /// About the foot of the perpendicular from `middle`.
+    /// Returns a ball around the foot of the perpendicular from `middle`.
     fn ball_in_ball(&self, place: &Transform, middle: DVec3, center: DVec3, radius: f64) -> Option<(DVec3, f64)> {
         let map = place.0;
         let normal = map.matrix3.x_axis.cross(map.matrix3.z_axis).normalize_or_zero();

@@ -1,4 +1,4 @@
-//! `[[objects]]`: shapes, where they are and what they are made of.
+//! The reader of `[[objects]]`.
 
 use glam::{DAffine3, DQuat, DVec3};
 
@@ -10,13 +10,13 @@ use crate::document::{Node, Place, Value};
 use crate::model::medium::{self, Interior, Surroundings};
 use crate::model::{Law, Material};
 
-/// The bounding spheres: their centres, which is one but where light goes to another side, and their radius.
+/// The bounding spheres: their centers (two if a throat leads to another side) and their radius.
 type Balls<'a> = (&'a [DVec3], f64);
 
-/// The names of all materials, and those that can be used.
+/// The names of all materials, and the materials without errors.
 type Materials<'a> = (&'a [&'a str], &'a [Material]);
 
-/// All objects that can be used, each with its place, in the order of the file.
+/// Reads all objects without errors, each with its index in the file.
 pub(crate) fn read(
     root: &TableReader,
     materials: Materials,
@@ -68,7 +68,7 @@ fn object(
     Some(Object { shape, transform, substance: substance?, travel })
 }
 
-/// A material by name, or a medium inside.
+/// Reads the name of a material, or an interior medium.
 fn substance(
     table: &TableReader,
     object: Option<(&dyn Shape, Transform)>,
@@ -91,7 +91,7 @@ fn substance(
     interior.map(|interior| Substance::Clear(Interior { priority, ..interior }))
 }
 
-/// A material that is multiplied by vertex colors needs a mesh that has some.
+/// Reports a material with vertex colors on an object without them.
 fn check_vertex_colors(table: &TableReader, shape: &dyn Shape, name: &str, materials: &[Material]) {
     let asks = |material: &Material| material.name == name && material.color.has_vertex_colors();
     if !materials.iter().any(asks) {
@@ -116,14 +116,14 @@ fn material(node: &Node, materials: &[&str]) -> Read<usize> {
     materials.iter().position(|known| *known == name).ok_or_else(unknown)
 }
 
-/// To `center`, turned so that y goes where `key` says.
+/// Returns the map to `center` with y in the direction of `key`.
 pub(super) fn upright(table: &TableReader, key: &'static str) -> DAffine3 {
     let center = table.or("center", DVec3::ZERO, vector);
     let rotation = DQuat::from_rotation_arc(DVec3::Y, table.or(key, DVec3::Y, direction));
     DAffine3::from_rotation_translation(rotation, center)
 }
 
-/// By how far it reaches from the centre of each bounding sphere.
+/// Checks that the extent from the center of a bounding sphere is within its radius.
 fn check_inside(table: &TableReader, reaches: impl Iterator<Item = f64>, radius: f64) {
     let Some(reach) = reaches.min_by(f64::total_cmp) else {
         return;

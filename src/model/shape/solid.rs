@@ -1,4 +1,4 @@
-//! Solids: shapes as the shaders test them, and what they are told of each.
+//! Solids: the forms of shapes that shaders test, with their data.
 
 use std::fmt;
 
@@ -8,56 +8,56 @@ use super::Shape;
 use crate::assets::Transform;
 use crate::model::{Row, Value, row};
 
-/// What is known of a solid.
+/// The description of a solid.
 pub struct Solid {
-    /// The name of its WGSL part in `shaders/shape/`, in those of its functions, and in capitals of its code.
+    /// The name of the WGSL module in `shaders/shape/`, which is also in its functions and, in capitals, in its code.
     pub name: &'static str,
-    /// Its lists in WGSL; none for triangles, which lie in a structure always.
+    /// The lists in WGSL; `None` for triangles, which are always in an acceleration structure.
     pub lists: Option<Lists>,
 }
 
-/// The lists of a solid in WGSL, and their rows.
+/// The lists of a solid in WGSL and their rows.
 pub struct Lists {
-    /// All of them, with what is asked for at a hit.
+    /// The name of the list of all solids of this kind, with the data of a hit.
     pub placed: &'static str,
-    /// What a test needs.
+    /// The data of an intersection test.
     pub row: fn(&Placed) -> Row,
-    /// Does it lie in y = 0 of its own space?
+    /// Is `true` if the solid is in the plane y = 0 of object space.
     pub flat: bool,
 }
 
 impl Solid {
-    /// Returns a solid that has lists, by the name of that of all of them.
+    /// Creates a solid with lists; `placed` is the name of the list of all solids of this kind.
     pub(super) const fn listed(name: &'static str, placed: &'static str, row: fn(&Placed) -> Row, flat: bool) -> Self {
         Self { name, lists: Some(Lists { placed, row, flat }) }
     }
 
-    /// Returns the name of the list of those on which rays end.
+    /// Returns the name of the list of solids on which rays end.
     #[must_use]
     pub fn opaque_list(&self) -> String {
         format!("{}_list", self.name)
     }
 
-    /// Returns the name of the list of those with a side that rays can be on.
+    /// Returns the name of the list of solids whose side rays track.
     #[must_use]
     pub fn sided_list(&self) -> String {
         format!("sided_{}_list", self.name)
     }
 }
 
-/// A shape in its place.
+/// A placed shape.
 #[derive(Debug, Clone, Copy)]
 pub struct Placed {
-    /// Its centre.
+    /// The center.
     pub center: DVec3,
-    /// For spheres the radius, for disks the hole's, in own units.
+    /// The radius of a sphere, or the inner radius of a disk in object units.
     pub number: f64,
-    /// Rows of the affine map from the scene's space to the shape's own.
+    /// The rows of the affine map from the scene to object space.
     pub rows: [DVec4; 3],
 }
 
 impl Placed {
-    /// A shape in a place.
+    /// Creates a placed shape.
     #[must_use]
     pub fn new(shape: &dyn Shape, place: &Transform) -> Self {
         let inverse = place.0.inverse();
@@ -67,19 +67,19 @@ impl Placed {
         Self { center: place.0.translation, number: shape.number(place), rows }
     }
 
-    /// Centre and radius.
+    /// Returns the center and radius.
     pub(super) fn ball(&self) -> Row {
         row! { center: Vec3(self.center), radius: Float(self.number) }
     }
 
-    /// The map to its own space.
+    /// Returns the map to object space.
     #[must_use]
     pub fn space(&self) -> Row {
         let [x, y, z] = self.rows;
         row! { row_x: Vec4(x), row_y: Vec4(y), row_z: Vec4(z) }
     }
 
-    /// The map, and its number as this member.
+    /// Returns the map, and the number as this member.
     pub(super) fn space_and(&self, member: &'static str) -> Row {
         self.space().into_iter().chain([(member.into(), Value::Float(self.number))]).collect()
     }

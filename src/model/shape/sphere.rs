@@ -1,4 +1,4 @@
-//! The unit sphere. u runs round y, v from the south to the north pole. Stretched unevenly it is an ellipsoid.
+//! The unit sphere, with u around y and v from the south to the north pole. A non-uniform scale makes it an ellipsoid.
 
 use std::sync::Arc;
 
@@ -26,7 +26,7 @@ pub static SOLID: Solid = Solid::listed("sphere", "spheres", Placed::ball, false
 
 pub static ELLIPSOID: Solid = Solid::listed("ellipsoid", "ellipsoids", Placed::space, false);
 
-/// The sphere of radius 1 about the origin; a [`Transform`]'s scale is its radius, or the half axes of an ellipsoid.
+/// The sphere of radius 1 around the origin; the scale of a [`Transform`] is its radius, or the half axes of an ellipsoid.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Sphere;
 
@@ -40,7 +40,7 @@ impl Shape for Sphere {
     }
 
     fn faces(&self, p: DVec3) -> Vec<(f64, DVec3)> {
-        // At the middle every direction away from it is as good.
+        // At the center every direction away from it is equivalent.
         vec![(p.length() - 1.0, p.normalize_or(DVec3::X))]
     }
 

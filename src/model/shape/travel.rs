@@ -1,9 +1,10 @@
-//! Objects that move: round an axis at an even rate, or straight on.
+//! Moving objects, which rotate around an axis at a constant rate or move in a straight line.
 //!
-//! *Theory.* Light that is seen has been on its way: a ray that has been followed back for τ meets an object where it was at t − τ. Held
-//! against the ray in the object's own rest, which undoes its way, a moving object is tested as one at rest is.
+//! *Theory.* Light takes time to arrive: a ray traced back for τ meets an object at its position at t − τ. The ray is transformed into the
+//! object's rest frame, which undoes the motion, and a moving object is then intersected like a static one.
 //!
-//! *Practice.* The shape is what it is at one t in the scene's coordinates, and keeps it: who wants it shortened along its way makes it short.
+//! *Practice.* The shape is specified on a slice of constant t in the scene's coordinates and keeps this form, so it must be given
+//! Lorentz-contracted.
 
 use glam::{DMat3, DVec3};
 
@@ -12,46 +13,46 @@ use crate::document::values::{number, vector};
 use crate::document::{Node, Value};
 use crate::model::{CameraFrame, Law, Row, row};
 
-/// How an object moves; at t = 0 it is where it is placed.
+/// The motion of an object, which has its placement at t = 0.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Travel {
-    /// A point of the axis.
+    /// A point of the axis of rotation.
     pub center: DVec3,
-    /// The unit vector that it turns about.
+    /// The unit vector along the axis of rotation.
     pub axis: DVec3,
-    /// dφ/dt about the axis.
+    /// The angular velocity dφ/dt around the axis.
     pub turning: f64,
-    /// And its velocity besides.
+    /// The additional linear velocity.
     pub velocity: DVec3,
 }
 
 impl Travel {
-    /// Round an axis.
+    /// Creates a rotation around an axis.
     #[must_use]
     pub fn round(center: DVec3, axis: DVec3, turning: f64) -> Self {
         Self { center, axis, turning, velocity: DVec3::ZERO }
     }
 
-    /// Straight on.
+    /// Creates a motion in a straight line.
     #[must_use]
     pub fn straight(velocity: DVec3) -> Self {
         Self { center: DVec3::ZERO, axis: DVec3::Z, turning: 0.0, velocity }
     }
 
-    /// Where at t is what is at `x` at t = 0.
+    /// Returns the position at t of the point that is at `x` at t = 0.
     #[must_use]
     pub fn place(&self, x: DVec3, t: f64) -> DVec3 {
         let turn = DMat3::from_axis_angle(self.axis, self.turning * t);
         self.center + turn * (x - self.center) + t * self.velocity
     }
 
-    /// How fast it moves at t = 0 what is at `x` then.
+    /// Returns the velocity at t = 0 of the point at `x`.
     #[must_use]
     pub fn velocity_at(&self, x: DVec3) -> DVec3 {
         self.velocity + self.turning * self.axis.cross(x - self.center)
     }
 
-    /// A box about all places that a ball comes to, at any t; none if that has no end.
+    /// Returns a bounding box of all positions of a moving ball, or `None` if they are unbounded.
     #[must_use]
     pub fn swept(&self, (middle, radius): (DVec3, f64)) -> Option<(DVec3, DVec3)> {
         if self.velocity != DVec3::ZERO {
@@ -64,7 +65,7 @@ impl Travel {
         Some((self.center + along - half, self.center + along + half))
     }
 
-    /// How far from a place a ball comes, at any t; none if that has no end.
+    /// Returns the greatest distance of a moving ball from a point, or `None` if it is unbounded.
     #[must_use]
     pub fn farthest(&self, (middle, radius): (DVec3, f64), from: DVec3) -> Option<f64> {
         if self.velocity != DVec3::ZERO {
@@ -75,7 +76,7 @@ impl Travel {
         Some((arm(middle) + arm(from)).hypot(height(middle) - height(from)) + radius)
     }
 
-    /// What shaders are told of it when a picture is taken at `time`, but for what moves so.
+    /// Returns the shader values for an image at `time`, without the index of the moving object.
     #[must_use]
     pub fn values(&self, (middle, radius): (DVec3, f64), time: f64) -> Row {
         let angle = (self.turning * time).rem_euclid(std::f64::consts::TAU);
@@ -93,7 +94,7 @@ impl Travel {
     }
 }
 
-/// How an object in this place moves, if it does; what is wrong with that is left with the table.
+/// Reads the motion of an object at this placement; reports errors to the table.
 pub(super) fn read(table: &TableReader, law: Option<&dyn Law>, middle: Option<DVec3>) -> Option<Travel> {
     let (key, node) = table.one_of(&["orbit", "velocity"])?;
     let (law, middle) = (law?, middle?);
@@ -110,7 +111,7 @@ pub(super) fn read(table: &TableReader, law: Option<&dyn Law>, middle: Option<DV
     Some(travel)
 }
 
-/// On a circular orbit of the law, one way or the other, or at a rate that is given.
+/// Reads a circular orbit of the law, prograde or retrograde, or with a specified angular velocity.
 fn orbit(table: &TableReader, node: &Node, law: &dyn Law, middle: DVec3) -> Option<Travel> {
     let Some([center, axis]) = law.equator() else {
         let help = "use `velocity`, or law.kind = \"kerr-newman\"";

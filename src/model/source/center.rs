@@ -1,4 +1,4 @@
-//! A force centre: a point.
+//! A force center: a point.
 
 use glam::DVec3;
 

@@ -1,10 +1,10 @@
-//! A gravity line: every point of a straight line pulls at right angles to it (G95 §2.1).
+//! A gravity line: every point of a straight line attracts in the perpendicular direction (G95 §2.1).
 
 use super::Kind;
 use crate::document::keys;
 use crate::document::values::direction;
 
-/// What is known of it.
+/// The description of this source.
 pub static KIND: Kind = Kind {
     name: "line",
     keys: keys! { direction: "[x, y, z]" = "required", "direction of the line through position"; },

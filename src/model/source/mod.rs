@@ -1,10 +1,10 @@
-//! Sources of force: what they are centred on, one kind a file.
+//! Sources of force and their geometry; one file per kind.
 //!
-//! *Theory.* A force points from a ray's place to its source, and falls off with the distance from it (G95 §2.1). What a kind of
-//! source decides is that way: from a centre it is x − p.
+//! *Theory.* A force points from a ray's position to its source, and falls off with the distance from it (G95 §2.1). The kind of source
+//! defines this offset: x − p for a point source.
 //!
-//! *Practice.* [`SOURCES`] names each kind once. The WGSL contract is `offset_KIND(d, along)`, with d = x − p and `along` what the
-//! kind has besides a position.
+//! *Practice.* [`SOURCES`] lists each kind once. The WGSL contract is `offset_KIND(d, along)`, with d = x − p and the vector `along` that a
+//! kind has in addition to its position.
 
 mod center;
 mod line;
@@ -17,73 +17,73 @@ use super::same::named;
 use crate::document::reader::TableReader;
 use crate::document::{Key, KeyReference, kind_rows};
 
-/// Every kind of source; the first is that of a source that names none.
+/// The list of all kinds of source; the first is the default.
 pub const SOURCES: [&Kind; 2] = [&center::KIND, &line::KIND];
 
-/// Every kind of anchor: those of sources, and what captures besides.
+/// The list of all kinds of anchor: those of sources, and additional ones of capture regions.
 pub const ANCHORS: [&Kind; 3] = [SOURCES[0], SOURCES[1], &spheroid::KIND];
 
-/// What is known of a kind of source.
+/// The description of a kind of source.
 pub struct Kind {
-    /// As a scene file has it; `offset_NAME` in `shaders/law/offset.wgsl` is its WGSL.
+    /// The name in a scene file; `offset_NAME` in `shaders/law/offset.wgsl` is its WGSL function.
     pub name: &'static str,
-    /// The keys that it reads besides those that all sources have.
+    /// The keys in addition to the keys of all sources.
     pub keys: &'static [Key],
-    /// Reads what it has besides a position; none if that is wrong.
+    /// Reads the vector that the kind has in addition to a position; returns `None` after an error.
     pub(crate) along: fn(&TableReader) -> Option<DVec3>,
-    /// The way from the source to a place, of d = x − p.
+    /// The offset from the source to a position, as a function of d = x − p.
     pub offset: fn(d: DVec3, along: DVec3) -> DVec3,
-    /// Is it a point, so that a ray stays in a plane through it?
+    /// Is `true` if the source is a point, so that a ray stays in a plane through it.
     pub is_point: bool,
 }
 
-/// What a source, or a sphere that captures, is centred on.
+/// The geometry of a source or of a capture region.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Anchor {
-    /// Its kind.
+    /// The kind of anchor.
     pub kind: &'static Kind,
-    /// A point of it.
+    /// A point of the anchor.
     pub position: DVec3,
-    /// What the kind has besides: 0 for a centre.
+    /// The vector that the kind has in addition; 0 for a point.
     pub along: DVec3,
 }
 
 /// A source of force.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Source {
-    /// What it is centred on.
+    /// The geometry of the source.
     pub anchor: Anchor,
-    /// Positive attracts, negative repels.
+    /// The strength; positive values attract and negative values repel.
     pub strength: f64,
-    /// How the force falls off.
+    /// The fall-off of the force.
     pub falloff: Falloff,
-    /// A ray that comes this near moving inwards is captured; zero for none.
+    /// The distance below which a ray that moves inwards is captured; zero for no capture.
     pub capture: f64,
 }
 
-/// Where rays that move inwards end.
+/// A region in which rays that move inwards end.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Capture {
-    /// What it is about.
+    /// The geometry of the region.
     pub anchor: Anchor,
-    /// How near a ray may come.
+    /// The radius of the region.
     pub radius: f64,
 }
 
 impl Anchor {
-    /// A point.
+    /// Creates a point anchor.
     #[must_use]
     pub fn center(position: DVec3) -> Self {
         Self { kind: &center::KIND, position, along: DVec3::ZERO }
     }
 
-    /// The way from it to a place.
+    /// Returns the offset from the anchor to a position.
     #[must_use]
     pub fn offset(&self, x: DVec3) -> DVec3 {
         (self.kind.offset)(x - self.position, self.along)
     }
 
-    /// The number that WGSL knows its kind by.
+    /// Returns the code of the kind in WGSL.
     #[must_use]
     pub fn code(&self) -> u32 {
         ANCHORS.iter().position(|kind| *kind == self.kind).unwrap_or(0) as u32
@@ -91,7 +91,7 @@ impl Anchor {
 }
 
 impl Capture {
-    /// Returns how far a place is from the surface, in the measure of its kind: below 0 within.
+    /// Returns the signed distance of a position from the surface, in the metric of its kind; negative inside.
     #[must_use]
     pub fn distance(&self, x: DVec3) -> f64 {
         self.anchor.offset(x).length() - self.radius
@@ -100,7 +100,7 @@ impl Capture {
 
 named!(Kind);
 
-/// The reference's rows of the keys that kinds of source read.
+/// Returns the reference rows of the keys that kinds of source read.
 #[must_use]
 pub fn reference() -> Vec<KeyReference> {
     let chooser = ("kind", SOURCES[0].name, "shape on which the source is centered");

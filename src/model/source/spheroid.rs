@@ -1,13 +1,13 @@
-//! A hole that spins: what is as near to it as Kerr's r says lies on a flattened spheroid. No source of force is one.
+//! A rotating black hole: surfaces of constant Boyer–Lindquist r are oblate spheroids. Only capture regions use this kind.
 
 use glam::DVec3;
 
 use super::Kind;
 
-/// What is known of it; `along` is the spin.
+/// The description of this anchor; `along` is the spin.
 pub static KIND: Kind = Kind { name: "spheroid", keys: &[], along: |_| None, offset, is_point: false };
 
-/// Kerr's r at d from a hole of spin a, and the vector along which it grows.
+/// Returns the Boyer–Lindquist r at d from a black hole of spin a, and a vector along its gradient.
 #[must_use]
 pub fn of(d: DVec3, a: DVec3) -> (f64, DVec3) {
     let k = 0.5 * (d.length_squared() - a.length_squared());
@@ -17,7 +17,7 @@ pub fn of(d: DVec3, a: DVec3) -> (f64, DVec3) {
     (r, r * d + along / r * a)
 }
 
-/// The way from the hole to a place: r long, and square to the spheroids of equal r.
+/// Returns the offset from the black hole to a position: r long, and perpendicular to the spheroids of constant r.
 fn offset(d: DVec3, a: DVec3) -> DVec3 {
     let (r, outwards) = of(d, a);
     r * outwards.normalize_or_zero()

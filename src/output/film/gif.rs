@@ -1,4 +1,4 @@
-//! GIF: 256 colours a frame, for small films on any page.
+//! GIF: 256 colors a frame, for small films on any page.
 //!
 //! Its clock ticks every hundredth of a second. Each frame is shown from the tick nearest to its time to the next one's, so that the film
 //! is as long as it should be.
@@ -13,7 +13,7 @@ use crate::output::{AtomicFile, OutputError};
 pub(super) const ALPHA: Option<&str> = Some("what is transparent in part is put before black");
 /// Ticks of a second.
 const TICKS: f64 = 100.0;
-/// How many pixels are looked at for the 256 colours: of 1 to 30, where 1 is all.
+/// How many pixels are looked at for the 256 colors: of 1 to 30, where 1 is all.
 const SPEED: i32 = 10;
 
 pub(super) fn write(file: &mut AtomicFile, frames: &mut Frames, _: &'static str) -> Result<(), OutputError> {

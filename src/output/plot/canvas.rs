@@ -23,7 +23,7 @@ const HALF_HEIGHT: f64 = 0.35;
 /// Width of a character in parts of the text's size: about, since the font of an SVG is the reader's.
 const CHARACTER: f64 = 0.68;
 
-/// A colour with its opacity.
+/// A color with its opacity.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Fill(pub &'static str, pub f64);
 

@@ -4,7 +4,7 @@
 //! The extension of the file's name says which format it is. A plot is drawn as SVG; a PNG is that SVG rendered by `resvg` with a font
 //! of the program's own, so that both show the same on every system.
 //!
-//! A series is told from the others by colour (of Okabe and Ito's set, which colour-blind readers can tell apart), by
+//! A series is told from the others by color (of Okabe and Ito's set, which color-blind readers can tell apart), by
 //! dashes and by the shape of its markers, so that a plot can also be read in black and white. The legend stands in a
 //! column of its own, where it covers nothing. Time and memory grow with the number of points.
 

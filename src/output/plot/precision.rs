@@ -1,6 +1,6 @@
 //! Time against error, both logarithmic: which method is accurate enough, and which of those is fastest.
 //!
-//! The nearer a point is to the lower left corner, the better. Those that none beats in both are ringed, and a grey
+//! The nearer a point is to the lower left corner, the better. Those that none beats in both are ringed, and a gray
 //! staircase joins them: it is the least time that buys each error. What is wrong altogether stands on a line of its own, right of
 //! every error.
 

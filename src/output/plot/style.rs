@@ -11,7 +11,7 @@ const FINE: f64 = 1.0;
 const RADIUS: f64 = 8.0;
 const HALO_RADIUS: f64 = 16.0;
 
-/// Okabe and Ito's colours without yellow, which is too faint for lines on white.
+/// Okabe and Ito's colors without yellow, which is too faint for lines on white.
 const COLORS: [&str; 7] = ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#000000", "#e69f00", "#56b4e9"];
 /// Of what is not data.
 const GREY: &str = "#808080";
@@ -26,7 +26,7 @@ const GLASS: &str = "#789cc8";
 const DASHES: [Option<[f64; 2]>; 5] =
     [None, Some([18.0, 9.0]), Some([5.0, 7.0]), Some([32.0, 8.0]), Some([10.0, 14.0])];
 
-/// The shapes of markers, and whether they are hollow. Sixteen of them, seven colours and five dashes have no common
+/// The shapes of markers, and whether they are hollow. Sixteen of them, seven colors and five dashes have no common
 /// divisor, so that they only come together again after all their combinations.
 const MARKERS: [Marker; 16] = [
     Marker(Shape::Disc, false),
@@ -82,13 +82,13 @@ impl Look {
         Self { pen, marker: Some(MARKERS[series % MARKERS.len()]) }
     }
 
-    /// A grey line, for what is not data.
+    /// A gray line, for what is not data.
     pub const ASIDE: Self = Self::line(GREY, STROKE_WIDTH);
     /// A fine light line, for what lies behind the data.
     pub const BEHIND: Self = Self::line(LIGHT, FINE);
-    /// A thin dashed grey line, for a limit.
+    /// A thin dashed gray line, for a limit.
     pub const LIMIT: Self = Self { pen: Pen { color: GREY, width: THIN, dash: Some([14.0, 8.0]) }, marker: None };
-    /// A thin grey line through wide rings, for the best of the data.
+    /// A thin gray line through wide rings, for the best of the data.
     pub const BEST: Self = Self { marker: Some(Marker(Shape::Halo, true)), ..Self::line(GREY, THIN) };
     /// A dark line, for an opaque surface.
     pub const SOLID: Self = Self::line(DARK, STROKE_WIDTH);
@@ -105,7 +105,7 @@ impl Look {
         Self { pen: Pen { color, width, dash: None }, marker: None }
     }
 
-    /// What an area of its colour is filled with.
+    /// What an area of its color is filled with.
     pub fn fill(self, opacity: f64) -> Fill {
         Fill(self.pen.color, opacity)
     }

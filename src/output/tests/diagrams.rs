@@ -10,7 +10,7 @@ use crate::model::shape::Sphere;
 use crate::output::plot::{CrossSection, PathLine, PathPlot, PlotRange, SurfaceKind, plot_paths};
 use crate::scene::{CutPlane, Object, Substance, Transform};
 
-/// Straight lines past a centre, bent towards it, in the plane of x and z.
+/// Straight lines past a center, bent towards it, in the plane of x and z.
 pub(super) fn lines() -> Vec<PathLine<'static>> {
     let status = ["escaped", "captured", "hit", "step limit"];
     (0..12)

@@ -171,7 +171,7 @@ fn faults_show_and_large_values_saturate() {
     assert!((tonemapped(Tonemap::Filmic, 1.0) - 2.54 / 3.16).abs() < 1e-12);
 }
 
-/// One row of greys.
+/// One row of grays.
 fn grey_row(values: &[f32]) -> Band {
     Band {
         first_row: 0,
@@ -241,7 +241,7 @@ fn alpha_is_stored_where_it_is_asked_for() {
         if name == "a.exr" {
             let bits = exr_bits(&path);
             assert_eq!(bits.keys().collect::<Vec<_>>(), ["A", "B", "G", "R"]);
-            // Colours stay multiplied by alpha.
+            // Colors stay multiplied by alpha.
             assert_eq!(bits["R"], [0.0_f32, 0.125, 0.25, 0.5].map(f32::to_bits));
             assert_eq!(bits["A"], [0.0_f32, 0.25, 0.5, 1.0].map(f32::to_bits));
         } else {

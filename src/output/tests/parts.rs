@@ -64,7 +64,7 @@ fn assembled(
 
 fn unchanged(_: usize, _: &mut FileSettings, _: &mut Band) {}
 
-/// Windows that cover a picture: a rectangle split at random, some of the pieces grown over their neighbours.
+/// Windows that cover a picture: a rectangle split at random, some of the pieces grown over their neighbors.
 fn cuts(size: [u32; 2]) -> impl Strategy<Value = Vec<Window>> {
     let cut = (any::<prop::sample::Index>(), any::<bool>(), any::<prop::sample::Index>(), 0..4_u32);
     prop::collection::vec(cut, 0..8).prop_map(move |cuts| {

@@ -146,7 +146,7 @@ fn branches(node: &Node) -> Read<Branches> {
     }
 }
 
-/// Beyond the bound one centre's orbits go on in closed form, which has to be about the bound's own centre.
+/// Beyond the bound one center's orbits go on in closed form, which has to be about the bound's own center.
 fn check_asymptotic(table: &TableReader, law: &dyn Law, bound: Bound) {
     let Some(center) = law.facts().orbit.filter(|orbit| orbit.is_free_far_away).map(|orbit| orbit.center) else {
         let problem = "`sky_at_infinity` is for a hole's own law or one inverse-square source";

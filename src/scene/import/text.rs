@@ -20,7 +20,7 @@ pub(super) fn vector(value: DVec3) -> String {
     format!("[{}, {}, {}]", number(value.x), number(value.y), number(value.z))
 }
 
-/// A colour: nothing in it is below 0.
+/// A color: nothing in it is below 0.
 pub(super) fn color(value: DVec3) -> String {
     vector(value.max(DVec3::ZERO))
 }

@@ -111,7 +111,7 @@ fn pictures_become_linear() {
     let [r, g, b] = picture.pixels[1];
     assert_eq!((r, b), (0.0, 1.0));
     assert!((g - 0.502_886).abs() < 1e-5, "{g}");
-    // 16 bits, grey; the content tells the format.
+    // 16 bits, gray; the content tells the format.
     let grey = image::ImageBuffer::<Luma<u16>, _>::from_pixel(1, 1, Luma([188 * 257]));
     let grey = DynamicImage::ImageLuma16(grey);
     grey.save_with_format(path("grey.exr"), ImageFormat::Png).expect("saved");
@@ -227,7 +227,7 @@ fn scenes_that_share_their_files_load_each_once() {
 fn a_jpeg_is_a_picture() {
     let folder = tempfile::tempdir().expect("a folder");
     let path = folder.path().join("a.jpg");
-    // A JPEG of one grey block of 8 × 8, written by hand: baseline, its DC coefficient 0, which is the value 128.
+    // A JPEG of one gray block of 8 × 8, written by hand: baseline, its DC coefficient 0, which is the value 128.
     let mut bytes = vec![0xFF, 0xD8, 0xFF, 0xDB, 0, 67, 0];
     bytes.extend([1; 64]);
     bytes.extend([0xFF, 0xC0, 0, 11, 8, 0, 8, 0, 8, 1, 1, 0x11, 0]);

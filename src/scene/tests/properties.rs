@@ -87,7 +87,7 @@ proptest! {
         }
     }
 
-    /// Where the centre is the object's own but for rounding, λ is not to be told from the square of the longest axis.
+    /// Where the center is the object's own but for rounding, λ is not to be told from the square of the longest axis.
     #[test]
     fn reaches_from_the_middle_are_numbers(scale in vector(0.1..5.0), tilt in vector(-180.0..180.0)) {
         let transform = Transform::new(scale, tilt, DVec3::ZERO);

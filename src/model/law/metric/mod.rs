@@ -148,7 +148,7 @@ fn has_space(metric: &DMat4) -> bool {
     leading.min(gamma.determinant()) > 0.0 && metric.determinant() < 0.0
 }
 
-/// A place and how long ago, from what is uniform in 0 to 1: places near the centre of a ball are the denser, times go as far back as it is wide.
+/// A place and how long ago, from what is uniform in 0 to 1: places near the center of a ball are the denser, times go as far back as it is wide.
 fn sample(k: u32, center: DVec3, radius: f64) -> (DVec3, f64) {
     let part = |step: f64| (f64::from(k) * step).fract();
     // Powers of the inverse of 1.1673…, the root of x⁵ = x + 1: as even as four numbers get.

@@ -58,7 +58,7 @@ pub struct PathPlot<'a> {
     pub lines: Vec<PathLine<'a>>,
     /// What crosses the plane.
     pub surfaces: Vec<CrossSection>,
-    /// Centre and radius of the bounding sphere, if it is to be shown.
+    /// Center and radius of the bounding sphere, if it is to be shown.
     pub bound: Option<(DVec3, f64)>,
     /// Places to mark, with their spread.
     pub foci: Vec<Focus>,
