@@ -1,5 +1,5 @@
-//! All rays start at the position; their angle from forward grows evenly with the distance from the picture's middle, to half of the
-//! opening angle on the rim of a disk that touches the nearer edges.
+//! The fisheye camera. All rays start at the position, and their angle from forward grows linearly with the distance from the image center,
+//! up to half of the opening angle on the rim of a disk that touches the nearer edges.
 
 use std::sync::Arc;
 
@@ -18,7 +18,7 @@ pub static KIND: Kind = Kind {
         corners: "black | transparent" = "black", "area outside the image circle; transparent writes an alpha channel";
     },
     read: |table| {
-        // Beyond that f32 has no place for the middle of a turn.
+        // Beyond that, f32 cannot resolve a fraction of a turn.
         let angle = number_where("an angle above 0 and up to 1000000 degrees", |x| x > 0.0 && x <= 1e6);
         let choices = &[("black", Corners::Black), ("transparent", Corners::Transparent)];
         let corners = table.or("corners", Corners::Black, word(choices));
@@ -26,21 +26,21 @@ pub static KIND: Kind = Kind {
     },
 };
 
-/// By the angle from the middle.
+/// The equidistant fisheye projection.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Fisheye {
-    /// Degrees, above 0: more than 360 goes round again.
+    /// The opening angle in degrees, above 0; more than 360 shows directions repeatedly.
     pub fov: f64,
-    /// What is outside the disk.
+    /// The content outside the disk.
     pub corners: Corners,
 }
 
-/// What a picture shows where its camera has no rays.
+/// The content of an image where its camera has no rays.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Corners {
-    /// Black.
+    /// Black pixels.
     Black,
-    /// Nothing: files then carry alpha.
+    /// Transparent pixels; the image file then has an alpha channel.
     Transparent,
 }
 

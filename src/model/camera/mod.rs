@@ -1,7 +1,7 @@
-//! Cameras: how a point of the picture becomes a ray, for one eye or for two.
+//! Cameras, which map a point of the image to a ray, for one eye or two.
 //!
-//! *Practice.* [`KINDS`] names each kind once. The WGSL contract is `camera_ray(point)`. Adding one is a WGSL file, a file here
-//! and a line of that table.
+//! *Practice.* [`KINDS`] lists each kind once. The WGSL contract is `camera_ray(point)`. To add a kind, add a WGSL file, a file here and a
+//! line of that table.
 
 mod fisheye;
 mod observer;
@@ -29,11 +29,11 @@ pub use plane::Plane;
 pub(crate) use read::read;
 pub use worldline::{Event, NoPath, Path, fall};
 
-/// Reads a camera; none if it cannot be used.
+/// Reads a camera; returns `None` after an error.
 type Read = fn(&TableReader) -> Option<Arc<dyn Projection>>;
 type Kind = document::Kind<Read>;
 
-/// Every kind of camera. Adding one is a line here.
+/// The table of all cameras; a new kind needs one line here.
 pub static KINDS: Kinds<Read> = Kinds {
     table: "camera",
     chooser: "kind",
@@ -43,34 +43,34 @@ pub static KINDS: Kinds<Read> = Kinds {
     all: &[&pinhole::KIND, &plane::KIND, &fisheye::KIND, &panorama::KIND],
 };
 
-/// How a point of the picture becomes a ray.
+/// A projection, which maps a point of the image to a ray.
 pub trait Projection: fmt::Debug + Send + Sync + Same {
-    /// Its WGSL part.
+    /// Returns the WGSL module.
     fn part(&self) -> &'static str;
 
-    /// Half of a view of so many pixels, to the right and upwards, in what its part multiplies these axes by.
+    /// Returns half the extent of a view of `pixels` to the right and upwards, in the units by which its module scales these axes.
     fn half_view(&self, pixels: [f64; 2]) -> [f64; 2];
 
-    /// The members of `camera` that are its own, for a view of so many pixels.
+    /// Returns the members of `camera` that only this kind has, for a view of `pixels`.
     fn values(&self, pixels: [f64; 2]) -> Row {
         let _ = pixels;
         Row::new()
     }
 
-    /// The angle of a pixel at the middle of a view of so many, in radians; none where pixels have no angle.
+    /// Returns the angle of a pixel at the center of a view of `pixels`, in radians, or `None` for parallel rays.
     fn pixel_angle(&self, pixels: [f64; 2]) -> Option<f64>;
 
-    /// The WGSL part by which two eyes see the same at a distance.
+    /// Returns the WGSL module that makes the views of two eyes converge at a distance.
     fn convergence_part(&self) -> &'static str {
         "camera/eyes/crossing_sphere"
     }
 
-    /// Do its pictures have pixels that show nothing, so that its files carry alpha?
+    /// Returns `true` if images have pixels without content, so that files have an alpha channel.
     fn is_transparent(&self) -> bool {
         false
     }
 
-    /// Do all its rays start at one point?
+    /// Returns `true` if all rays start at one point.
     fn is_from_a_point(&self) -> bool {
         true
     }
@@ -78,53 +78,53 @@ pub trait Projection: fmt::Debug + Send + Sync + Same {
 
 same!(Projection);
 
-/// `[camera]`.
+/// The table `[camera]`.
 #[derive(Debug, Clone)]
 pub struct Camera {
-    /// Position, in scene units; of two eyes, halfway between them.
+    /// The position, in scene units; for two eyes, halfway between them.
     pub position: DVec3,
-    /// Unit vector into the picture.
+    /// The unit vector into the image.
     pub forward: DVec3,
-    /// Unit vector to the picture's right.
+    /// The unit vector to the image's right.
     pub right: DVec3,
-    /// Unit vector to the picture's top.
+    /// The unit vector to the image's top.
     pub up: DVec3,
-    /// How a point of the picture becomes a ray.
+    /// The projection.
     pub projection: Arc<dyn Projection>,
-    /// Whose directions the camera's are.
+    /// The observer whose directions the camera uses.
     pub frame: CameraFrame,
-    /// t when the picture is taken.
+    /// The coordinate time t of the image.
     pub time: f64,
-    /// Is light as bright as its shift makes it?
+    /// Is `true` if the redshift changes the brightness of light.
     pub shift: bool,
-    /// And are colors taken for those of black bodies, which shift too?
+    /// Is `true` if the redshift also changes colors, which are treated as black-body colors.
     pub hues: bool,
-    /// Two eyes, if the picture is a pair of views.
+    /// The pair of eyes of a stereo image; `None` for a single view.
     pub stereo: Option<Stereo>,
 }
 
-/// `camera.stereo`: two eyes, one to the left and one to the right of the position, along the camera's `right`.
+/// The table `camera.stereo`: two eyes, to the left and right of the position along the camera's `right`.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Stereo {
-    /// From eye to eye, in scene units.
+    /// The distance between the eyes, in scene units.
     pub separation: f64,
-    /// Where the views are.
+    /// The layout of the views.
     pub layout: StereoLayout,
-    /// The distance at which the views cross, in scene units: what is there has the same place in both. None for parallel views.
+    /// The distance at which points have equal positions in both views, in scene units; `None` for parallel views.
     pub convergence: Option<f64>,
 }
 
-/// Where the two views are in the picture.
+/// The layout of two views in the image.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum StereoLayout {
-    /// The left eye's at the left.
+    /// The left eye's view at the left.
     SideBySide,
-    /// The left eye's at the top.
+    /// The left eye's view at the top.
     TopBottom,
 }
 
 impl Camera {
-    /// At a position, looking at a point; none if that has no direction, or if `up` is along it.
+    /// Returns a camera at a position that looks at a point, or `None` if the direction is zero or parallel to `up`.
     #[must_use]
     pub fn looking(position: DVec3, at: DVec3, up: DVec3, projection: Arc<dyn Projection>) -> Option<Self> {
         let forward = (at - position).try_normalize()?;
@@ -144,7 +144,7 @@ impl Camera {
         })
     }
 
-    /// Where rays start: one place, or two.
+    /// Returns the one or two positions from which rays start.
     #[must_use]
     pub fn eyes(&self) -> Vec<DVec3> {
         match self.stereo {
@@ -153,7 +153,7 @@ impl Camera {
         }
     }
 
-    /// The pixels of one view, of a picture of so many.
+    /// Returns the size in pixels of one view in an image of this size.
     #[must_use]
     pub fn view_size(&self, [width, height]: [u32; 2]) -> [u32; 2] {
         match self.stereo.map(|stereo| stereo.layout) {
@@ -163,19 +163,19 @@ impl Camera {
         }
     }
 
-    /// Do all of its rays start at one place?
+    /// Returns `true` if all rays start at one position.
     #[must_use]
     pub fn is_at_one_place(&self) -> bool {
         self.projection.is_from_a_point() && self.stereo.is_none()
     }
 
-    /// The angle of a pixel at the middle of a picture of so many, in radians; none where pixels have no angle.
+    /// Returns the angle of a pixel at the center of an image of this size, in radians, or `None` for parallel rays.
     #[must_use]
     pub fn pixel_angle(&self, size: [u32; 2]) -> Option<f64> {
         self.projection.pixel_angle(self.view_size(size).map(f64::from))
     }
 
-    /// What its WGSL parts are fed, for a picture of so many pixels.
+    /// Returns the values of the WGSL modules, for an image of this size in pixels.
     #[must_use]
     pub fn values(&self, size: [u32; 2]) -> Vec<Binding> {
         let pixels = self.view_size(size).map(f64::from);

@@ -1,17 +1,17 @@
-//! What an observer in curved spacetime, who rests, falls or goes round, sees as forward, up and right.
+//! The reference frame of an observer in curved spacetime: the directions that they see as forward, up and right.
 //!
-//! *Theory.* An observer of four-velocity u has three unit vectors at right angles to it and to each other. A direction d of theirs is
-//! seen along the past-directed light K = −u + `d_r` `e_r` + `d_u` `e_u` + `d_f` `e_f`, so that aberration is in it.
+//! *Theory.* An observer of four-velocity u has three unit vectors that are orthogonal to u and to each other. The observer sees a
+//! direction d along the past-directed null vector K = −u + `d_r` `e_r` + `d_u` `e_u` + `d_f` `e_f`, which includes aberration.
 //!
-//! *Practice.* All of it is found once, on the host in 64 bits; what the shader gets is linear in d, for any metric and any observer.
-//! Four-vectors have the place's three components first, and then the time's.
+//! *Practice.* The host computes the frame once in 64 bits. The shader input is linear in d for every metric and observer. Four-vectors
+//! have three spatial components followed by the time component.
 
 use glam::{DMat4, DVec3, DVec4};
 
 use super::Camera;
 use crate::model::{Law, Row, row};
 
-/// The camera's right, up and forward to an observer, made of the scene's in the order forward, up, right.
+/// Returns the observer's right, up and forward vectors by Gram–Schmidt from the scene's vectors in the order forward, up, right.
 fn tetrad(metric: &DMat4, u: DVec4, camera: &Camera) -> [DVec4; 3] {
     let product = |a: DVec4, b: DVec4| a.dot(*metric * b);
     let mut found: Vec<DVec4> = Vec::new();
@@ -54,13 +54,13 @@ pub fn frequency(law: &dyn Law, camera: &Camera, turning_is_kept: bool) -> Optio
     })
 }
 
-/// What the shader is fed; none if directions are the coordinates'.
+/// Returns the uniforms of the shader, or `None` if the camera uses coordinate directions.
 pub fn observer(law: &dyn Law, camera: &Camera) -> Option<Row> {
     let [x, y, z, rest] = axes(law, camera)?;
     Some(row! { x: Vec4(x), y: Vec4(y), z: Vec4(z), rest: Vec4(rest) })
 }
 
-/// K's parts along the scene's three directions, and what it has besides: −u.
+/// Returns the components of K along the scene's three axes, and its constant part −u.
 fn axes(law: &dyn Law, camera: &Camera) -> Option<[DVec4; 4]> {
     let u = law.observer(camera.frame, camera.position)?.ok()?;
     let metric = law.metric(camera.position, 0.0)?;

@@ -1,4 +1,4 @@
-//! All rays start at the position; longitude runs to the right and latitude upwards, as in an equirectangular sky.
+//! The panorama camera. All rays start at the position, and longitude runs to the right and latitude upwards, as in an equirectangular sky.
 
 use std::sync::Arc;
 
@@ -18,7 +18,7 @@ pub static KIND: Kind = Kind {
     read: |table| Some(Arc::new(Panorama { fov: table.or("fov", [360.0, 180.0], sides) })),
 };
 
-/// Across and upwards.
+/// Reads the horizontal and vertical opening angles.
 fn sides(node: &Node) -> Read<[f64; 2]> {
     let angles: [f64; 2] = array("two angles in degrees, [across, upwards]", positive)(node)?;
     if angles[0] > 360.0 || angles[1] > 180.0 {
@@ -28,10 +28,10 @@ fn sides(node: &Node) -> Read<[f64; 2]> {
     Ok(angles)
 }
 
-/// By longitude and latitude.
+/// The equirectangular projection.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Panorama {
-    /// Degrees from edge to edge: up to 360 across, up to 180 upwards.
+    /// The opening angles in degrees: up to 360 horizontally, up to 180 vertically.
     pub fov: [f64; 2],
 }
 

@@ -1,4 +1,4 @@
-//! All rays start at the position, as through a window.
+//! The pinhole camera: all rays start at the position, with a perspective projection.
 
 use std::sync::Arc;
 
@@ -15,7 +15,7 @@ pub static KIND: Kind = Kind {
     },
 };
 
-/// As through a window.
+/// The perspective projection.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Pinhole {
     /// The vertical opening angle in degrees, in (0, 180).

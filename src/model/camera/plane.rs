@@ -1,4 +1,4 @@
-//! Rays start on a plane through the position, all in the direction forward (a flow takes its own direction).
+//! The orthographic camera: rays start on a plane through the position, parallel to forward (a flow defines its own direction).
 
 use std::sync::Arc;
 
@@ -12,10 +12,10 @@ pub static KIND: Kind = Kind {
     read: |table| Some(Arc::new(Plane { height: table.required("height", "10", positive)? })),
 };
 
-/// Parallel rays.
+/// The orthographic projection.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Plane {
-    /// The plane's height in scene units; its width follows from the picture's shape.
+    /// The plane's height in scene units; its width follows from the aspect ratio of the image.
     pub height: f64,
 }
 

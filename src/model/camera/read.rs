@@ -1,4 +1,4 @@
-//! `[camera]`: where rays start.
+//! The reader of `[camera]`.
 
 use glam::{DVec3, DVec4};
 
@@ -9,7 +9,7 @@ use crate::document::{Fault, Node, Value};
 use crate::model::law::OBSERVER_PART;
 use crate::model::{CameraFrame, Law, Order};
 
-/// None if there is no camera, or one that cannot be used. `size` is the picture's.
+/// Reads the camera; returns `None` after an error. `size` is the size of the image in pixels.
 pub(crate) fn read(root: &TableReader, law: Option<&dyn Law>, size: [u32; 2]) -> Option<Camera> {
     let table = root.subtable("camera", "camera")?;
     let projection = KINDS.chosen(&table).and_then(|read| read(&table));
@@ -37,7 +37,7 @@ pub(crate) fn read(root: &TableReader, law: Option<&dyn Law>, size: [u32; 2]) ->
     camera
 }
 
-/// Who looks: where, as whom and when.
+/// The position, frame and time of the observer.
 struct Seat {
     position: DVec3,
     frame: CameraFrame,
@@ -79,7 +79,7 @@ fn frame(table: &TableReader, law: Option<&dyn Law>) -> CameraFrame {
     frame
 }
 
-/// Where an observer comes to who begins there and is left to himself for so long.
+/// Returns the state of a freely falling observer after the proper time `proper`.
 fn after_fall(table: &TableReader, seat: Seat, law: &dyn Law, proper: f64) -> Option<Seat> {
     if seat.frame == CameraFrame::Coordinate {
         let help = "choose an `observer`: how he moves to begin with";
@@ -88,7 +88,7 @@ fn after_fall(table: &TableReader, seat: Seat, law: &dyn Law, proper: f64) -> Op
     }
     let then = law.seen(None, seat.time);
     let law = then.as_deref().unwrap_or(law);
-    // What is wrong with where he begins is for others to say.
+    // Other code reports an invalid start.
     let Some(Ok(u)) = law.observer(seat.frame, seat.position) else { return Some(seat) };
     match fall(law, Event { x: seat.position, t: 0.0, u }, proper) {
         Ok(event) => {
@@ -103,7 +103,7 @@ fn after_fall(table: &TableReader, seat: Seat, law: &dyn Law, proper: f64) -> Op
     }
 }
 
-/// `worldline`: rows of t, x, y and z.
+/// Reads `worldline`: rows of t, x, y and z.
 fn on_worldline(table: &TableReader, node: &Node, law: Option<&dyn Law>) -> Option<Seat> {
     let proper = table.or("proper_time", 0.0, not_negative);
     let Value::Array(items) = &node.value else {
@@ -141,7 +141,7 @@ fn on_worldline(table: &TableReader, node: &Node, law: Option<&dyn Law>) -> Opti
     None
 }
 
-/// t, x, y and z; as x, y, z and t.
+/// Reads t, x, y and z, and returns x, y, z and t.
 fn event(node: &Node) -> Read<DVec4> {
     let expected = || node.expected("[t, x, y, z]");
     let Value::Array(items) = &node.value else { return Err(expected()) };
@@ -154,7 +154,7 @@ fn slower_than_light(node: &Node) -> Read<DVec3> {
     if velocity.length() < 1.0 { Ok(velocity) } else { Err(node.fault("the velocity must be below 1, light's", "")) }
 }
 
-/// None if there is one eye, or two that cannot be used.
+/// Reads the pair of eyes; returns `None` for a single eye or after an error.
 fn stereo(table: &TableReader, [width, height]: [u32; 2]) -> Option<Stereo> {
     let stereo = table.subtable("stereo", "camera.stereo")?;
     let separation = stereo.required("separation", "0.065", positive);
@@ -173,7 +173,7 @@ fn stereo(table: &TableReader, [width, height]: [u32; 2]) -> Option<Stereo> {
     Some(Stereo { separation: separation?, layout, convergence })
 }
 
-/// Forward, right and up, orthonormal.
+/// Returns the orthonormal vectors forward, right and up.
 fn axes(table: &TableReader, position: DVec3, look_at: DVec3, up: DVec3) -> Option<[DVec3; 3]> {
     let Some(forward) = (look_at - position).try_normalize() else {
         let problem = "the camera looks at its own position";
@@ -198,7 +198,7 @@ fn check_against_law(table: &TableReader, camera: &Camera, law: &dyn Law) {
         table.fault(&["observer"], "an observer is at one place, and rays start at more", help);
     }
     let who = if camera.stereo.is_some() { "an eye of the camera" } else { "the camera" };
-    // A plane's rays start all over it: those at such a place are captured, and the others are not.
+    // Rays of an orthographic camera start all over a plane; only those inside a capture region are captured.
     let eyes = if camera.projection.is_from_a_point() { camera.eyes() } else { Vec::new() };
     let refused = |eye: &DVec3| law.refuses_eye(*eye).or_else(|| law.observer(camera.frame, *eye)?.err());
     if let Some([problem, help]) = eyes.iter().find_map(refused) {

@@ -1,34 +1,34 @@
-//! Where an observer is after some time of his own: along a path that is given, or left to himself.
+//! The state of an observer after some proper time, along a given worldline or in free fall.
 //!
-//! *Theory.* A worldline x^μ(s) has s as the time that its own clock shows: g(u, u) = −1 with u = dx/ds. Left to himself an observer follows
-//! `dp_μ/ds = ½ ∂_μ g(u, u)`, with p = g u.
+//! *Theory.* The parameter s of a worldline x^μ(s) is the observer's proper time: g(u, u) = −1 with u = dx/ds. A freely falling observer
+//! follows `dp_μ/ds = ½ ∂_μ g(u, u)`, with p = g u.
 //!
-//! *Practice.* The metric's slopes are differences of six points, good to some 1e-12; paths are followed by Dormand and Prince's pair in 64
-//! bits. It is done once for a picture.
+//! *Practice.* The derivatives of the metric are six-point differences with errors of about 1e-12; the Dormand–Prince 5(4) pair integrates
+//! paths in 64 bits. This is done once per image.
 
 use glam::{DVec3, DVec4};
 
 use crate::model::Law;
 
-/// Relative to its size: what one step may be off by.
+/// The error tolerance of one step, relative to the state.
 const TOLERANCE: f64 = 1e-12;
-/// Steps to follow a path by, at most.
+/// The largest number of steps along a path.
 const STEPS: usize = 200_000;
 
-/// A place and a time on a worldline, and the four-velocity there: of vectors of the place's components, then the time's.
+/// An event on a worldline and the four-velocity there; vectors have spatial components followed by the time component.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Event {
-    /// The place.
+    /// The position.
     pub x: DVec3,
-    /// The time, from the picture's own t on.
+    /// The coordinate time, relative to the image's t.
     pub t: f64,
     /// The four-velocity.
     pub u: DVec4,
 }
 
 impl Event {
-    /// Its velocity past one at rest in the slices of equal time, in the place's components and as long as it is fast in parts of
-    /// light's speed.
+    /// Returns the velocity relative to the Eulerian observer, in spatial components and with the speed, as a fraction of the speed of
+    /// light, as its length.
     #[must_use]
     pub fn velocity(&self, law: &dyn Law) -> Option<DVec3> {
         let metric = law.metric(self.x, self.t)?;
@@ -41,7 +41,8 @@ impl Event {
     }
 }
 
-/// Where an observer comes to who is left to himself for so long by his own clock; or how far he came before his path had no place to go.
+/// Returns the event of a freely falling observer after the proper time `proper`, or the proper time at which the path left the domain of
+/// the metric.
 pub fn fall(law: &dyn Law, start: Event, proper: f64) -> Result<Event, f64> {
     let lowered = law.metric(start.x, start.t).ok_or(0.0)? * start.u;
     let mut state = State { x: start.x.extend(start.t), p: lowered };
@@ -70,7 +71,7 @@ pub fn fall(law: &dyn Law, start: Event, proper: f64) -> Result<Event, f64> {
     Err(s)
 }
 
-/// Place and time, and the lowered four-velocity.
+/// The position, the time and the lowered four-velocity.
 #[derive(Debug, Clone, Copy)]
 struct State {
     x: DVec4,
@@ -82,7 +83,7 @@ impl State {
         Self { x: self.x + h * rate.x, p: self.p + h * rate.p }
     }
 
-    /// Its rate by s; none where there is no metric.
+    /// Returns the derivative by s, or `None` where there is no metric.
     fn rate(self, law: &dyn Law) -> Option<Self> {
         let u = law.metric(self.x.truncate(), self.x.w)?.inverse() * self.p;
         let h = 2e-3 * law.length_scale(self.x.truncate());
@@ -95,7 +96,7 @@ impl State {
         (rate.x.is_finite() && rate.p.is_finite()).then_some(rate)
     }
 
-    /// After a step, and its error in what it may be.
+    /// Returns the state after a step and its error relative to the tolerance.
     fn step(self, law: &dyn Law, h: f64) -> Option<(Self, f64)> {
         // Dormand and Prince (1980), 5(4).
         const A: [&[f64]; 6] = [
@@ -122,24 +123,24 @@ impl State {
     }
 }
 
-/// Points of a path in the order of their times, between which it is smooth: the cubic whose velocity at a point is that from the point
-/// before to the one after (Catmull and Rom).
+/// A smooth path through points in the order of their times. It is a cubic whose velocity at a point is the slope between the points before
+/// and after it (Catmull–Rom).
 #[derive(Debug, Clone, PartialEq)]
 pub struct Path(Vec<DVec4>);
 
-/// Why a path is none.
+/// The reason why a path is not a valid worldline.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum NoPath {
-    /// Its time does not go on to the point of this number.
+    /// The time does not increase to the point of this index.
     NotLater(usize),
-    /// It is as fast as light, or faster, before the point of this number.
+    /// The path reaches the speed of light before the point of this index.
     TooFast(usize),
-    /// It ends after so much time of its own.
+    /// The path ends after this proper time.
     Ends(f64),
 }
 
 impl Path {
-    /// Through at least two points of x, y, z and t.
+    /// Creates the path through at least two points of x, y, z and t.
     pub fn through(points: Vec<DVec4>) -> Result<Self, NoPath> {
         match points.windows(2).position(|pair| pair[1].w <= pair[0].w) {
             Some(i) => Err(NoPath::NotLater(i + 1)),
@@ -147,7 +148,7 @@ impl Path {
         }
     }
 
-    /// Place and velocity, dx/dt, at a time between the points i and i + 1.
+    /// Returns the position and the velocity dx/dt at a time between the points i and i + 1.
     #[allow(clippy::many_single_char_names)] // the formulas' own letters
     fn at(&self, i: usize, t: f64) -> (DVec3, DVec3) {
         let points = &self.0;
@@ -164,7 +165,7 @@ impl Path {
         (x, slope / h)
     }
 
-    /// ds/dt at a time between two points; none where it is no way of an observer.
+    /// Returns ds/dt at a time between two points, or `None` if the path is not timelike.
     fn pace(&self, law: &dyn Law, i: usize, t: f64) -> Option<f64> {
         let (place, velocity) = self.at(i, t);
         let way = velocity.extend(1.0);
@@ -172,9 +173,9 @@ impl Path {
         (square > 0.0).then(|| square.sqrt())
     }
 
-    /// Where it is after so much time of its own.
+    /// Returns the event after the proper time `proper`.
     pub fn after(&self, law: &dyn Law, proper: f64) -> Result<Event, NoPath> {
-        /// Parts that each piece is summed in, by Gauss's three points.
+        /// The number of intervals per segment, each integrated with three-point Gauss quadrature.
         const PARTS: usize = 64;
         let mut s = 0.0;
         for i in 0..self.0.len() - 1 {

@@ -1,10 +1,10 @@
-//! What a medium takes from light on its way, or adds to it (thesis 2.3, 4.4).
+//! Absorption and volumetric emission of media (T 2.3, 4.4).
 //!
-//! *Theory.* Of light that goes a length d a part e^(−σd) is left, where σ is the density; a color c that is left after a unit length
-//! has σ = −ln c. A density may vary over space, by formulas or by a texture of noise, and a medium may glow.
+//! *Theory.* Over a length d the transmittance is e^(−σd), where σ is the absorption coefficient. A transmittance c per unit length means σ
+//! = −ln c. The coefficient may vary over space by formulas or by a noise texture, and a medium may also emit light.
 //!
-//! *Practice.* A [`Filter`] belongs to an interior, or to the law's whole space. Each kind of density has a function
-//! of its own in `shaders/filter/density.wgsl`.
+//! *Practice.* A [`Filter`] belongs to an interior or to the whole space of the law. Each kind of density has a function in
+//! `shaders/filter/density.wgsl`.
 
 mod read;
 mod texture;
@@ -17,50 +17,50 @@ use crate::assets::Formula;
 pub(crate) use read::{read, reference};
 pub use texture::{Look, Texture};
 
-/// What a medium does to light on its way.
+/// The absorption and emission of a medium.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Filter {
-    /// How much it takes.
+    /// The absorption.
     pub density: Density,
-    /// Radiance that it adds, per unit length.
+    /// The emitted radiance per unit length.
     pub glow: DVec3,
-    /// How far the optical depths of a piece of path and of its halves may differ.
+    /// The largest difference between the optical depth of a path segment and the sum over its halves.
     pub tolerance: f64,
-    /// Where formulas and textures have their origin.
+    /// The origin of formulas and textures.
     pub center: DVec3,
 }
 
-/// How much a filter takes of light.
+/// The absorption of a medium.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Density {
-    /// The same everywhere: σ, per unit length.
+    /// A constant σ, per unit length.
     Even(DVec3),
-    /// σ by formulas of the place from the center, one for each channel.
+    /// Formulas of σ for each channel, relative to the center.
     Formula([Formula; 3]),
-    /// The color that is left after a unit length, by formulas.
+    /// Formulas of the transmittance per unit length, for each channel.
     Color([Formula; 3]),
-    /// That color by a texture.
+    /// A texture of the transmittance per unit length.
     Texture(Texture),
 }
 
-/// σ of a color that is left after a unit length.
+/// Returns σ of a transmittance per unit length.
 #[must_use]
 pub fn density_of(color: DVec3) -> DVec3 {
     -color.max(DVec3::splat(1e-30)).map(f64::ln)
 }
 
 impl Filter {
-    /// As coarse as the sources' pictures.
+    /// The default tolerance, as coarse as the images of the published sources.
     pub const TOLERANCE: f64 = 1e-3;
 
-    /// Of a color that is left after a unit length, everywhere the same.
+    /// Creates a uniform filter from a transmittance per unit length.
     #[must_use]
     pub fn even(color: DVec3) -> Self {
         let density = Density::Even(density_of(color));
         Self { density, glow: DVec3::ZERO, tolerance: Self::TOLERANCE, center: DVec3::ZERO }
     }
 
-    /// Its kind: `density_KIND` in `shaders/filter/density.wgsl` is its density.
+    /// Returns the kind: `density_KIND` in `shaders/filter/density.wgsl` computes the coefficient.
     #[must_use]
     pub fn kind(&self) -> &'static str {
         match &self.density {
@@ -71,7 +71,7 @@ impl Filter {
         }
     }
 
-    /// Its formulas, if it is made of them.
+    /// Returns the formulas, if the density uses them.
     #[must_use]
     pub fn formulas(&self) -> Option<&[Formula; 3]> {
         match &self.density {
@@ -80,7 +80,7 @@ impl Filter {
         }
     }
 
-    /// Its texture, if it has one.
+    /// Returns the texture, if the density uses one.
     #[must_use]
     pub fn texture(&self) -> Option<&Texture> {
         match &self.density {
@@ -89,13 +89,13 @@ impl Filter {
         }
     }
 
-    /// Does its density jump from place to place?
+    /// Returns `true` if the density is discontinuous.
     #[must_use]
     pub fn jumps(&self) -> bool {
         self.texture().is_some_and(|texture| matches!(texture.look, Look::Wrapped(..)))
     }
 
-    /// The members of its `Filter` in WGSL that are its own; its formulas are those of this number.
+    /// Returns the members of its `Filter` in WGSL; `formulas` is the index of its formulas.
     #[must_use]
     pub fn values(&self, formulas: usize) -> Row {
         let own = match &self.density {

@@ -1,4 +1,4 @@
-//! `absorption`: a color, or a table.
+//! The reader of `absorption`, which is a color or a table.
 
 use glam::DVec3;
 
@@ -10,7 +10,7 @@ use crate::document::values::{
 };
 use crate::document::{KeyReference, Node, Value, key_rows};
 
-/// The reference's rows.
+/// Returns the reference rows.
 pub(crate) fn reference() -> Vec<KeyReference> {
     key_rows! {
         "absorption" {
@@ -36,7 +36,7 @@ pub(crate) fn reference() -> Vec<KeyReference> {
     }
 }
 
-/// The filter that a node gives: what is left after a unit length, or a table.
+/// Reads a filter from a node: a transmittance per unit length, or a table.
 pub(crate) fn read(parent: &TableReader, node: &Node, center: DVec3, files: &mut Files) -> Option<Filter> {
     if !matches!(node.value, Value::Table(_)) {
         return parent.reader.accept(part(node).map(Filter::even));
@@ -57,7 +57,7 @@ pub(crate) fn read(parent: &TableReader, node: &Node, center: DVec3, files: &mut
     Some(Filter { density: density?, glow, tolerance, center })
 }
 
-/// A color whose channels are from 0 to 1.
+/// Reads a color with channels from 0 to 1.
 fn part(node: &Node) -> Read<DVec3> {
     let color = color(node)?;
     if color.max_element() > 1.0 {
@@ -89,7 +89,7 @@ fn densities(table: &TableReader, node: &Node) -> Option<Density> {
     table.reader.accept(read).map(Density::Even)
 }
 
-/// Is it made of formulas?
+/// Returns `true` if the node contains formulas.
 fn is_text(node: &Node) -> bool {
     match &node.value {
         Value::Text(_) => true,
@@ -98,7 +98,7 @@ fn is_text(node: &Node) -> bool {
     }
 }
 
-/// One formula for all channels, or one for each; those that are numbers must be within `range`.
+/// Reads one formula for all channels or one for each; constant values must be within `range`.
 fn formulas(table: &TableReader, node: &Node, range: std::ops::RangeInclusive<f64>) -> Option<[Formula; 3]> {
     let nodes: Vec<&Node> = match &node.value {
         Value::Array(items) if items.len() == 3 => items.iter().collect(),
@@ -108,7 +108,7 @@ fn formulas(table: &TableReader, node: &Node, range: std::ops::RangeInclusive<f6
             return None;
         }
     };
-    // All are read before any is missed.
+    // All formulas are read before the first error returns, so that every error is reported.
     let read: Vec<Option<Formula>> = nodes.iter().map(|node| formula(table, node, &range)).collect();
     let all: Vec<Formula> = read.into_iter().collect::<Option<_>>()?;
     Some(std::array::from_fn(|k| all[k.min(all.len() - 1)].clone()))

@@ -1,39 +1,39 @@
-//! Textures of filters: noise as a share from 0 to 1, and what color that is.
+//! Noise textures of absorption: noise from 0 to 1 with a color map.
 
 use glam::DVec3;
 
 use crate::model::{Row, row};
 
-/// A color by fractal noise, which is left after a unit length.
+/// A transmittance per unit length that follows fractal noise.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Texture {
-    /// What color a share of the noise is.
+    /// The color map of the noise.
     pub look: Look,
-    /// Lattice cells a unit length; of marble also waves of 2π.
+    /// The number of lattice cells per unit length; for marble also of waves, each of length 2π.
     pub frequency: f64,
-    /// Terms of the noise, 1 to 8.
+    /// The number of octaves of the noise, 1 to 8.
     pub octaves: u32,
-    /// Chooses it.
+    /// The seed of the noise.
     pub seed: u32,
 }
 
-/// What color a share from 0 to 1 is.
+/// The color map of noise from 0 to 1.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Look {
-    /// Between two.
+    /// A mix of two colors.
     Mix([DVec3; 2]),
-    /// Between two, so many times over.
+    /// A mix of two colors that repeats as often as this number.
     Wrapped([DVec3; 2], f64),
-    /// Seven colors.
+    /// A spectrum of seven colors.
     Rainbow,
-    /// A picture's, from left to right: index into the scene's.
+    /// A row of an image from left to right, by the image's index in the scene.
     Ramp(usize),
-    /// A picture's, in waves along an axis that the noise, times a number, disturbs.
+    /// An image's colors in waves along an axis, displaced by the noise times the number.
     Marble(usize, DVec3, f64),
 }
 
 impl Texture {
-    /// The name of its density in WGSL.
+    /// Returns the name of the density in WGSL.
     #[must_use]
     pub fn kind(&self) -> &'static str {
         match self.look {
@@ -45,12 +45,12 @@ impl Texture {
         }
     }
 
-    /// A cell of the finest octave: pieces of a path are no longer than that to begin with.
+    /// Returns the size of a cell of the finest octave, which is the initial limit of a path segment.
     fn piece(&self) -> f64 {
         1.0 / (self.frequency * f64::from(1 << (self.octaves - 1)))
     }
 
-    /// The members of `Filter` that are its own.
+    /// Returns the members of `Filter` that only textures have.
     #[must_use]
     pub fn values(&self) -> Row {
         let own = match self.look {

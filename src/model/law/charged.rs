@@ -1,6 +1,6 @@
-//! A black hole with charge and without spin (Reissner and Nordström), also where space has a cosmological constant (Kottler).
+//! A non-rotating charged black hole (Reissner–Nordström), optionally with a cosmological constant (Kottler).
 //!
-//! *Practice.* The same hole is `kerr-newman` without spin. This law is of second order and in a plane, and many times as fast.
+//! *Practice.* `kerr-newman` without spin describes the same black hole. This law is of second order and planar, and many times faster.
 
 use std::sync::Arc;
 

@@ -1,4 +1,4 @@
-//! What the flows share: a dynamical system's vector field F as a ray's velocity, or as its acceleration.
+//! Definitions that all flows share: the vector field F of a dynamical system is a ray's velocity or its acceleration.
 
 use super::sources::OWN_SPEED;
 use super::{Facts, USUAL_PARTS};
@@ -7,16 +7,16 @@ use crate::document::values::whole;
 use crate::document::{Key, keys};
 use crate::model::Wgsl;
 
-/// What a vector field F is to the ray.
+/// The relation of a vector field F to the ray.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum FlowOrder {
-    /// dx/dτ = F(x): the ray is an orbit (G95 §2.2).
+    /// The velocity: dx/dτ = F(x), so that the ray is an orbit (G95 §2.2).
     Velocity,
-    /// d²x/dτ² = F(x): W04's Eq. 1 read literally.
+    /// The acceleration: d²x/dτ² = F(x), which is W04 Eq. 1 read literally.
     Acceleration,
 }
 
-/// `order`.
+/// The key `order`.
 pub(super) const ORDER: Key = keys! {
     order: "1, 2" = "1", "the field is the velocity of the ray (1) or its acceleration (2)";
 }[0];
@@ -29,7 +29,7 @@ impl FlowOrder {
         }
     }
 
-    /// A field's part under this order.
+    /// Returns the WGSL modules of a field with this order.
     pub(super) fn parts(self, field: &'static str) -> Vec<Wgsl> {
         match self {
             Self::Velocity => Wgsl::parts(&[field, "law/flow"]),

@@ -1,7 +1,7 @@
-//! Black holes without spin: with or without charge, also in a space with a cosmological constant.
+//! Non-rotating black holes, optionally with charge and a cosmological constant.
 //!
-//! *Theory.* ds² = −A dt² + dr²/A + r² dΩ² with A = 1 − 2M/r + Q²/r² − Λr²/3. Paths follow from Binet's equation,
-//! u″ + u = 3Mu² − 2Q²u³; Λ drops out of it, and is visible only in what observers measure.
+//! *Theory.* ds² = −A dt² + dr²/A + r² dΩ² with A = 1 − 2M/r + Q²/r² − Λr²/3. Paths follow from the Binet equation u″ + u = 3Mu² − 2Q²u³. Λ
+//! cancels there, and affects only what observers measure.
 
 use glam::{DMat4, DVec3, DVec4};
 
@@ -10,48 +10,48 @@ use super::{CameraFrame, Facts, Invariant, Landmark, Law, OBSERVER_PART, Orbit, 
 use crate::model::halved::halved;
 use crate::model::{Anchor, Binding, Capture, Value, Wgsl, row};
 
-/// A black hole without spin.
+/// A non-rotating black hole.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct RoundHole {
-    /// M, scene units (G = c = 1).
+    /// The mass M, in scene units (G = c = 1).
     pub mass: f64,
-    /// Q, scene units; 0 except in [`HoleForm::Charged`].
+    /// The charge Q, in scene units; 0 except in [`HoleForm::Charged`].
     pub charge: f64,
-    /// Λ; 0 except in [`HoleForm::Charged`].
+    /// The cosmological constant Λ; 0 except in [`HoleForm::Charged`].
     pub cosmological: f64,
-    /// The hole's place.
+    /// The position of the black hole.
     pub center: DVec3,
-    /// The unit vector that matter and observers on orbits go round.
+    /// The unit vector around which matter and observers orbit.
     pub axis: DVec3,
-    /// Which equation is integrated.
+    /// The equation that is integrated.
     pub form: HoleForm,
 }
 
-/// The equations of light round the hole.
+/// The equations of light around the black hole.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum HoleForm {
-    /// x″ = −3M h² x/r⁵, h = |x × v|: the geodesic of a Schwarzschild hole with the null condition put in.
+    /// The path equation x″ = −3M h² x/r⁵, h = |x × v|: the Schwarzschild geodesic with the null condition substituted.
     Path,
-    /// The geodesic equation as the 2004 paper integrates it, ṫ carried along.
+    /// The geodesic equation as Weiskopf et al. (2004) integrate it, including ṫ.
     Geodesic,
-    /// The path's equation with Q, and observers with Λ.
+    /// The path equation with Q, and observers with Λ.
     Charged,
 }
 
 impl RoundHole {
-    /// Returns a Schwarzschild hole of which paths are integrated.
+    /// Returns a Schwarzschild black hole with the path equation.
     #[must_use]
     pub fn new(mass: f64, center: DVec3) -> Self {
         Self { mass, charge: 0.0, cosmological: 0.0, center, axis: DVec3::Z, form: HoleForm::Path }
     }
 
-    /// Returns A of the line element, which is −`g_tt`, at a distance r.
+    /// Returns A of the line element, which is −`g_tt`, at radius r.
     #[must_use]
     pub fn clock(&self, r: f64) -> f64 {
         1.0 - 2.0 * self.mass / r + (self.charge / r).powi(2) - self.cosmological * r * r / 3.0
     }
 
-    /// Returns r where light goes round in circles, and what moves inwards below it never comes back; `None` without a horizon.
+    /// Returns the radius of the photon sphere, below which rays that move inwards never return; `None` without a horizon.
     #[must_use]
     pub fn photon_sphere(&self) -> Option<f64> {
         let triple = 3.0 * self.mass;
@@ -59,30 +59,30 @@ impl RoundHole {
         (self.charge.abs() <= self.mass).then_some(0.5 * (triple + root))
     }
 
-    /// Returns Λ from which on A is above 0 nowhere.
+    /// Returns the smallest Λ for which A is positive nowhere.
     pub(super) fn cosmological_most(&self) -> f64 {
         let flat = Self { cosmological: 0.0, ..*self };
         self.photon_sphere().map_or(0.0, |r| 3.0 * flat.clock(r) / (r * r))
     }
 
-    /// Returns r of the horizon, if there is one: where A vanishes below the photon sphere, with Λ by halving.
+    /// Returns the radius of the horizon, if there is one: the zero of A below the photon sphere, by bisection if Λ ≠ 0.
     #[must_use]
     pub fn horizon(&self) -> Option<f64> {
         let sphere = self.photon_sphere()?;
         if self.cosmological == 0.0 {
             return Some(self.mass + (self.mass * self.mass - self.charge * self.charge).sqrt());
         }
-        // A is least below 0 where Q² = Mr; without charge it has no least value.
+        // The minimum of A is below 0, at Q² = Mr; without charge there is no minimum.
         let low = (self.charge * self.charge / self.mass).max(1e-6 * self.mass);
         Some(halved(low, sphere, 100, |r| self.clock(r) > 0.0)[1])
     }
 
-    /// Returns the hole as a surface of this radius.
+    /// Returns a capture sphere of this radius around the black hole.
     fn sphere(&self, radius: f64) -> Capture {
         Capture { anchor: Anchor::center(self.center), radius }
     }
 
-    /// Returns dφ/dt of the circular orbit through a place in the plane across the axis: Ω² = A′/2r.
+    /// Returns dφ/dt of the circular orbit through a position in the plane perpendicular to the axis: Ω² = A′/2r.
     fn orbiting(&self, offset: DVec3) -> Option<f64> {
         let r = offset.length();
         let slope = 2.0 * (self.mass - self.charge * self.charge / r) / (r * r) - 2.0 * self.cosmological * r / 3.0;
@@ -135,14 +135,15 @@ impl Law for RoundHole {
         }
     }
 
-    /// At the horizon, or as far out as the photon sphere where nothing lies between that a ray moving inwards could still hit.
+    /// Captures at the horizon, or at the photon sphere if no object is between the two that a ray moving inwards could still hit.
     fn captures(&self, clearance: Option<&dyn Fn(DVec3) -> f64>) -> Vec<Capture> {
         let (Some(sphere), Some(horizon)) = (self.photon_sphere(), self.horizon()) else { return Vec::new() };
         let is_clear = clearance.is_some_and(|clearance| clearance(self.center) > sphere);
         vec![self.sphere(if is_clear { sphere } else { horizon })]
     }
 
-    /// h = |x × v| and E² = ṙ² + (1 − 2M/r + Q²/r²) h²/r², which together are the null condition: Λ only adds to it what h keeps.
+    /// Returns h = |x × v| and E² = ṙ² + (1 − 2M/r + Q²/r²) h²/r². Together they are the null condition, because Λ only adds a function of
+    /// h.
     fn invariants(&self, x: DVec3, v: DVec3) -> Vec<Invariant> {
         let d = x - self.center;
         let (r, momentum) = (d.length(), d.cross(v).length());
@@ -182,7 +183,7 @@ impl Law for RoundHole {
         x.distance(self.center)
     }
 
-    /// Without spin an observer at rest has no angular momentum, and is at rest in the slices of equal time.
+    /// Without spin a static observer has no angular momentum, and is also an Eulerian observer.
     fn observer(&self, frame: CameraFrame, at: DVec3) -> Option<Result<DVec4, [String; 2]>> {
         let offset = at - self.center;
         let found = match frame {

@@ -1,14 +1,14 @@
-//! A black hole with spin and charge (Kerr and Newman), in Cartesian ingoing Kerr–Schild coordinates.
+//! A rotating charged black hole (Kerr–Newman) in Cartesian ingoing Kerr–Schild coordinates.
 //!
-//! *Theory.* g = η + f l l with a null vector l, f = (2Mr − Q²)/(r² + a² cos²θ). The congruence of l is free of shear, so that ∂ᵢlⱼ is
-//! known from two numbers of a place, its expansion and its twist, and the geodesic equation is a handful of vector operations: the
-//! shader has it. Rays go into the past by τ = `t_camera` − t, and v = dx/dτ.
+//! *Theory.* g = η + f l l with a null vector l and f = (2Mr − Q²)/(r² + a² cos²θ). The congruence of l is shear-free, so that ∂ᵢlⱼ follows
+//! from two scalars at each position, its expansion and its twist, and the geodesic equation in the shader takes few vector operations.
+//! Rays go into the past by τ = `t_camera` − t, and v = dx/dτ.
 //!
-//! *Practice.* Place and velocity are the state, as under any other law, in place of place and momentum: six numbers too, and v is
-//! what arcs, surfaces and traces want. The null condition is then not built in, but kept, and shows how exact a path is.
+//! *Practice.* The state is position and velocity, as under the other laws, instead of position and momentum: also six numbers, and arcs,
+//! surfaces and traces need v. The null condition is therefore not built in, but conserved, and measures the accuracy of a path.
 //!
-//! *Length.* Over 300 lines, because what the host knows of this space (horizons, frames, the edge of its shadow) is asked for by nothing
-//! else.
+//! *Length.* This file is over 300 lines, because no other code needs the host's description of this spacetime (horizons, frames, the edge
+//! of its shadow).
 
 use std::sync::Arc;
 
@@ -22,7 +22,8 @@ use crate::model::halved::halved;
 use crate::model::source::spheroid;
 use crate::model::{Anchor, Binding, Capture, Wgsl, row};
 
-/// Of M: how near rays come to a horizon that they would reach after infinite time; and to the ring of a hole without a horizon.
+/// The distance, as a fraction of M, to which rays approach a horizon that they would reach after infinite time, or the ring of a naked
+/// singularity.
 const NEAR: f64 = 0.01;
 
 pub static KIND: Kind = Kind {
@@ -46,34 +47,34 @@ pub static KIND: Kind = Kind {
     },
 };
 
-/// A black hole with spin and charge; or, with too much of them, the ring of a singularity without a horizon.
+/// A rotating charged black hole or, if spin and charge are too large, a naked ring singularity.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct KerrNewman {
-    /// M, scene units (G = c = 1).
+    /// The mass M, in scene units (G = c = 1).
     pub mass: f64,
-    /// The spin a, scene units.
+    /// The spin a, in scene units.
     pub spin: f64,
-    /// The unit vector that it spins about, anticlockwise seen from its tip.
+    /// The unit vector of the spin axis; the rotation is counterclockwise seen from its tip.
     pub axis: DVec3,
-    /// Q, scene units.
+    /// The charge Q, in scene units.
     pub charge: f64,
-    /// The hole's place.
+    /// The position of the black hole.
     pub center: DVec3,
 }
 
-/// The metric at a place: g = η + f l l, `l_t` = 1.
+/// The metric at a position: g = η + f l l, `l_t` = 1.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct KerrSchild {
-    /// Kerr's r.
+    /// The Boyer–Lindquist radius r.
     pub r: f64,
     /// The unit vector l.
     pub l: DVec3,
-    /// How far it is from flat: 1 on the edge of the ergosphere.
+    /// The deviation f from flat spacetime; 1 on the edge of the ergosphere.
     pub f: f64,
 }
 
 impl KerrNewman {
-    /// What the metric is made of at x.
+    /// Returns the components of the metric at x.
     #[must_use]
     pub fn at(&self, x: DVec3) -> KerrSchild {
         let (d, a) = (x - self.center, self.spin * self.axis);
@@ -86,20 +87,20 @@ impl KerrNewman {
         }
     }
 
-    /// r of the outer horizon, if there is one.
+    /// Returns r of the outer horizon, if there is one.
     #[must_use]
     pub fn horizon(&self) -> Option<f64> {
         let left = self.mass * self.mass - self.spin * self.spin - self.charge * self.charge;
         (left >= 0.0).then(|| self.mass + left.sqrt())
     }
 
-    /// r of the inner horizon, below which nothing of what falls in is certain; 0 without spin and charge.
+    /// Returns r of the inner horizon, below which infall has no unique continuation; 0 without spin and charge.
     #[must_use]
     pub fn inner_horizon(&self) -> Option<f64> {
         Some((self.spin * self.spin + self.charge * self.charge) / self.horizon()?)
     }
 
-    /// The surface of equal r.
+    /// Returns the capture surface of constant r.
     fn spheroid(&self, radius: f64) -> Capture {
         Capture {
             anchor: Anchor { kind: &spheroid::KIND, position: self.center, along: self.spin * self.axis },
@@ -107,26 +108,26 @@ impl KerrNewman {
         }
     }
 
-    /// r of the circular orbit of light that goes round with the hole: what moves inwards below it never comes back.
+    /// Returns r of the prograde circular photon orbit; rays that move inwards below it never return.
     #[must_use]
     pub fn photon_orbit(&self) -> Option<f64> {
         self.circular_light(1.0)
     }
 
-    /// Does light turn within the place where rays are captured?
+    /// Returns `true` if photon orbits extend into the capture region.
     fn is_extreme(&self) -> bool {
         let inner = self.horizon().zip(self.photon_orbit());
         inner.is_some_and(|(horizon, orbit)| orbit < horizon + NEAR * self.mass)
     }
 
-    /// r of the circular orbit of light that goes round with the spin (1) or against it (−1).
+    /// Returns r of the circular photon orbit that is prograde (`sense` = 1) or retrograde (−1).
     fn circular_light(&self, sense: f64) -> Option<f64> {
         let (m, q2, a) = (self.mass, self.charge * self.charge, sense * self.spin);
         let beyond = |r: f64| r * r - 3.0 * m * r + 2.0 * q2 + 2.0 * a * (m * r - q2).max(0.0).sqrt();
         Some(halved(self.horizon()?, 4.0 * m, 100, |r| beyond(r) > 0.0)[0])
     }
 
-    /// dφ/dt of the circular orbit through a place of the equator, with the spin or against it; none elsewhere.
+    /// Returns dφ/dt of the prograde or retrograde circular orbit through a position on the equator; `None` elsewhere.
     fn orbiting(&self, at: DVec3, sense: f64) -> Option<f64> {
         let (d, r) = (at - self.center, self.at(at).r);
         let speed = (self.mass * r - self.charge * self.charge).sqrt();
@@ -134,7 +135,7 @@ impl KerrNewman {
         (is_equatorial && speed > 0.0).then(|| sense * speed / (r * r + sense * self.spin * speed))
     }
 
-    /// Of what has fallen from rest at infinity without angular momentum; none where charge has turned that round.
+    /// Returns the four-velocity of free fall from rest at infinity without angular momentum, or `None` where the charge repels it.
     fn falling(&self, at: DVec3) -> Option<DVec4> {
         let (KerrSchild { r, l, .. }, d, a) = (self.at(at), at - self.center, self.spin);
         let cos2 = (d.dot(self.axis) / r).powi(2);
@@ -176,7 +177,7 @@ impl Law for KerrNewman {
         vec![Binding::one("law", row)]
     }
 
-    /// The orbit's equation is with a horizon: without one rays come as far as r = 0, where u has no end.
+    /// The orbit equation needs a horizon: without one, rays reach r = 0, where u diverges.
     fn facts(&self) -> Facts<'_> {
         let orbit = Orbit { center: self.center, form: OrbitForm::Separated, is_free_far_away: true };
         Facts {
@@ -195,7 +196,7 @@ impl Law for KerrNewman {
         }
     }
 
-    /// At the orbit of light that is nearest to the hole, or where something lies further in just outside the horizon.
+    /// Captures at the innermost photon orbit, or just outside the horizon if an object is further in.
     fn captures(&self, clearance: Option<&dyn Fn(DVec3) -> f64>) -> Vec<Capture> {
         let near = NEAR * self.mass;
         let radius = match (self.horizon(), self.photon_orbit()) {
@@ -209,8 +210,8 @@ impl Law for KerrNewman {
         vec![self.spheroid(radius)]
     }
 
-    /// The null condition; L/E along the axis; and Carter's constant over E², regular on the axis. All but the first of rays that
-    /// reach infinity, whose energy E is above 0.
+    /// Returns the null condition, L/E along the axis, and the Carter constant divided by E², which is regular on the axis. All except the
+    /// first require rays that reach infinity, whose energy E is positive.
     #[allow(clippy::many_single_char_names)] // the formulas' own letters
     fn invariants(&self, x: DVec3, v: DVec3) -> Vec<Invariant> {
         let KerrSchild { r, l, f } = self.at(x);
@@ -237,7 +238,7 @@ impl Law for KerrNewman {
         ]
     }
 
-    /// The horizon, and the ergosphere about it, r = M + √(M² − Q² − a² cos²θ), where nothing rests.
+    /// Returns the horizon and the ergosphere r = M + √(M² − Q² − a² cos²θ), inside which nothing can be static.
     fn landmarks(&self) -> Vec<Landmark> {
         let Some(horizon) = self.horizon() else { return Vec::new() };
         if self.spin == 0.0 {
@@ -270,7 +271,7 @@ impl Law for KerrNewman {
         self.horizon().is_none().then(remark)
     }
 
-    /// Along v as fast as light.
+    /// Returns a velocity along v at the speed of light.
     fn starting_velocity(&self, x: DVec3, v: DVec3) -> DVec3 {
         let KerrSchild { l, f, .. } = self.at(x);
         let along = l.dot(v);

@@ -1,4 +1,4 @@
-//! What a drawing shows of a law: horizons, edges, what captures.
+//! The surfaces of a law that a diagram shows, such as horizons, edges and capture regions.
 
 use std::sync::Arc;
 
@@ -6,29 +6,29 @@ use glam::DVec3;
 
 use crate::model::cut::{CutPlane, Outline, sphere_in_plane, star_in_plane};
 
-/// A closed surface that a law has without an object.
+/// A closed surface of a law that is not an object.
 #[derive(Clone)]
 pub struct Landmark {
-    /// Its name in a legend.
+    /// The name in a legend.
     pub name: &'static str,
-    /// Its center.
+    /// The center.
     pub center: DVec3,
-    /// Its radius, or that of a ball that holds it; 0 for none.
+    /// The radius, or the radius of a bounding sphere; 0 for no surface.
     pub radius: f64,
-    /// Do rays end there?
+    /// Is `true` if rays end at the surface.
     pub captures: bool,
-    /// What is inside, if it is no sphere: of each line from the center a stretch from there.
+    /// The test for points inside, if the surface is not a sphere; the region must be star-shaped around the center.
     pub inside: Option<Arc<dyn Fn(DVec3) -> bool>>,
 }
 
 impl Landmark {
-    /// A sphere.
+    /// Creates a sphere.
     #[must_use]
     pub fn sphere(name: &'static str, center: DVec3, radius: f64, captures: bool) -> Self {
         Self { name, center, radius, captures, inside: None }
     }
 
-    /// Where it crosses a plane, if it does.
+    /// Returns the outline in which the surface crosses a plane, if it does.
     #[must_use]
     pub fn cut(&self, plane: &CutPlane) -> Option<Outline> {
         match &self.inside {

@@ -1,4 +1,4 @@
-//! Lorenz's system: F = (σ(y−x), ρx − y − xz, xy − βz) (G95 §2.2, W04 §5.1).
+//! The Lorenz system: F = (σ(y−x), ρx − y − xz, xy − βz) (G95 §2.2, W04 §5.1).
 
 use std::sync::Arc;
 
@@ -21,15 +21,15 @@ pub static KIND: Kind = Kind {
 };
 
 fields! {
-    /// Lorenz's system.
+    /// The Lorenz system.
     Lorenz(table: &TableReader) {
-        /// σ, by default 10.
+        /// The parameter σ, by default 10.
         sigma: f64 as Float = Some(table.or("sigma", 10.0, number)),
-        /// ρ, by default 28.
+        /// The parameter ρ, by default 28.
         rho: f64 as Float = Some(table.or("rho", 28.0, number)),
-        /// β, by default 8/3.
+        /// The parameter β, by default 8/3.
         beta: f64 as Float = Some(table.or("beta", 8.0 / 3.0, number)),
-        /// What the field is to the ray.
+        /// The relation of the field to the ray.
         order: FlowOrder = Some(FlowOrder::read(table)),
     }
 }

@@ -1,4 +1,4 @@
-//! A medium that fills all space (W04 §5.3): dx = v, dv = ∇(n²/2), |v| = n.
+//! A medium that fills all of space (W04 §5.3): dx = v, dv = ∇(n²/2), |v| = n.
 
 use std::sync::Arc;
 
@@ -9,7 +9,7 @@ use crate::document::keys;
 use crate::model::medium::{self, Surroundings};
 use crate::model::{Medium, Wgsl};
 
-/// The parts of a ray's way through a medium without a closed form.
+/// The WGSL modules of a medium without closed-form paths.
 pub const SOLVED_PARTS: [&str; 5] =
     ["law/accelerated", "law/held_nothing", "law/start_by_index", "law/projected_as_is", "law/medium"];
 
@@ -30,7 +30,7 @@ pub static KIND: Kind = Kind {
     },
 };
 
-/// A medium that fills all space.
+/// A medium that fills all of space.
 #[derive(Debug, Clone)]
 pub struct InMedium(pub Arc<dyn Medium>);
 
@@ -59,7 +59,7 @@ impl Law for InMedium {
         self.0.facts().edge.map(edge).into_iter().collect()
     }
 
-    /// As long as the index (as 1, where the host does not know that).
+    /// Returns a velocity with the length of the index, or 1 if the host cannot evaluate the index.
     fn starting_velocity(&self, x: DVec3, v: DVec3) -> DVec3 {
         self.0.index(x).unwrap_or(1.0) * v.normalize_or_zero()
     }

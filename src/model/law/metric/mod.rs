@@ -1,11 +1,12 @@
-//! Any spacetime that a scene writes as its line element.
+//! Custom spacetimes, which a scene specifies by their line element.
 //!
-//! *Theory.* The geodesic equation in coordinate time needs the metric and what Euler and Lagrange make of the line element; both are
-//! derived from the text (`assets::LineElement`). Rays go into the past by τ = `t_camera` − t, and v = dx/dτ.
+//! *Theory.* The geodesic equation in coordinate time follows from the metric and the Euler–Lagrange equations of the line element; both
+//! are derived from the text (`assets::LineElement`). Rays go into the past by τ = `t_camera` − t, and v = dx/dτ.
 //!
-//! *Practice.* Place and velocity are the state, as under any other law. A line element of t takes the clock of laws that carry time.
+//! *Practice.* The state is position and velocity, as under the other laws. A line element that depends on t uses the clock of laws that
+//! carry time.
 //!
-//! *Length.* Over 300 lines, because the keys, the checks and the trait of one kind stand together.
+//! *Length.* This file is over 300 lines, because it contains the keys, the checks and the trait of one kind together.
 
 mod read;
 
@@ -37,16 +38,16 @@ pub static KIND: Kind = Kind {
     read: |table, _| read::read(table).map(|law| Arc::new(law) as Arc<dyn Law>),
 };
 
-/// A spacetime by its line element.
+/// A spacetime defined by its line element.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Metric {
-    /// ds² and what follows from it.
+    /// The line element ds² and its derived expressions.
     pub element: LineElement,
-    /// t when the picture is taken.
+    /// The coordinate time t of the image.
     pub time: f64,
-    /// Where x, y and z are 0.
+    /// The origin of x, y and z.
     pub center: DVec3,
-    /// What joins its two sides, if it has two.
+    /// The throat between the two sides, if the spacetime has two.
     pub throat: Option<Throat>,
 }
 
@@ -59,23 +60,23 @@ impl Metric {
         self.element.metric(self.spot(x, 0.0))
     }
 
-    /// From its middle, or from the nearer mouth.
+    /// Returns the offset from the center, or from the nearer mouth.
     fn arm(&self, x: DVec3) -> DVec3 {
         self.spot(x, 0.0).x
     }
 
-    /// A place of the scene at a time so much later.
+    /// Returns a position of the scene, `time` later than the image.
     fn spot(&self, x: DVec3, time: f64) -> Spot {
         let (arm, side) = self.throat.map_or((x - self.center, 1.0), |throat| throat.offset(x));
         Spot { x: arm, t: self.time + time, side }
     }
 
-    /// The direction of its z.
+    /// Returns the direction of the spacetime's z axis.
     fn axis(&self) -> DVec3 {
         self.element.written().axes.z_axis
     }
 
-    /// Is it the same all round its axis? By a few places and velocities, turned.
+    /// Returns `true` if the spacetime is symmetric around its axis, by rotating a few positions and velocities.
     fn is_axisymmetric(&self) -> bool {
         let turn = DMat3::from_axis_angle(self.axis(), 0.7);
         let places = [DVec3::new(1.3, -0.7, 2.1), DVec3::new(-4.2, 3.1, 0.9), DVec3::new(11.0, 7.0, -13.0)];
@@ -85,16 +86,16 @@ impl Metric {
             velocities.into_iter().all(|v| {
                 let (u, turned) = (v.extend(-1.0), (turn * v).extend(-1.0));
                 let (one, other) = (u.dot(here * u), turned.dot(there * turned));
-                // Where there is no value there is none after turning.
+                // A position without a value must have none after the rotation.
                 (one - other).abs() <= 1e-9 * one.abs().max(1.0) || one.is_nan() && other.is_nan()
             })
         })
     }
 
-    /// Returns what is wrong with a place where the line element is infinite or 0/0, and what to do. On the axis that is so of `dtheta`,
-    /// `dphi` and `drho`, though space may be regular there.
+    /// Returns the problem and the remedy for a position where the line element is infinite or 0/0. On the axis, `dtheta`, `dphi` and
+    /// `drho` are singular, though space may be regular there.
     fn says_singular(&self, at: DVec3) -> [String; 2] {
-        /// How far off the axis a camera sees what one on it would, as a fraction of its distance.
+        /// The distance from the axis, as a fraction of the camera's distance, at which the view equals that on the axis.
         const OFF: f64 = 1e-4;
         let arm = self.arm(at);
         let aside = self.axis().any_orthonormal_vector();
@@ -112,14 +113,15 @@ impl Metric {
         says_none(problem, &help)
     }
 
-    /// dφ/dt of the circular orbits through a place, with φ and against it: where the line element's slope across the axis vanishes.
+    /// Returns dφ/dt of the circular orbit through a position, with φ or against it: where the line element's derivative perpendicular to
+    /// the axis vanishes.
     fn orbiting(&self, at: DVec3, sense: f64) -> Option<f64> {
         let (x, axis) = (self.arm(at), self.axis());
         let out = x - x.dot(axis) * axis;
         let rho = out.length();
         let is_level = x.dot(axis).abs() <= 1e-6 * rho;
         let (out, around) = (out / rho, axis.cross(x).extend(0.0));
-        // ∂Q/∂ρ for U that turn with their place.
+        // The derivative ∂Q/∂ρ for U that rotates with its position.
         let slope = |u: DVec4, v: DVec4, turning: f64| {
             let change = |u: DVec4| self.slope(self.spot(at, 0.0), u, out);
             0.5 * (change(u + v) - change(u) - change(v)) + turning * u.dot(self.at(at) * v) / rho
@@ -131,7 +133,7 @@ impl Metric {
         (is_level && turning.is_finite()).then_some(turning)
     }
 
-    /// ∂Q/∂s along a direction, U held: by central differences of four points, some 1e-12 of it.
+    /// Returns ∂Q/∂s along a direction at constant U, by central four-point differences with a relative error of about 1e-12.
     fn slope(&self, at: Spot, u: DVec4, along: DVec3) -> f64 {
         let q = |s: f64| u.dot(self.element.metric(Spot { x: at.x + s * along, ..at }) * u);
         let h = 1e-3 * at.x.length();
@@ -141,17 +143,18 @@ impl Metric {
     }
 }
 
-/// Is all space at one time, and are clocks across it? γ is positive, and g has one sign less than that.
+/// Returns `true` if slices of equal time are spacelike and t is timelike across them: γ is positive, and g has one negative sign.
 fn has_space(metric: &DMat4) -> bool {
     let gamma = DMat3::from_mat4(*metric);
     let leading = gamma.x_axis.x.min(gamma.x_axis.x * gamma.y_axis.y - gamma.x_axis.y * gamma.x_axis.y);
     leading.min(gamma.determinant()) > 0.0 && metric.determinant() < 0.0
 }
 
-/// A place and how long ago, from what is uniform in 0 to 1: places near the center of a ball are the denser, times go as far back as it is wide.
+/// Returns a position and a time in the past from the k-th quasi-random point: positions are denser near the center of the ball, and times
+/// reach back over its diameter.
 fn sample(k: u32, center: DVec3, radius: f64) -> (DVec3, f64) {
     let part = |step: f64| (f64::from(k) * step).fract();
-    // Powers of the inverse of 1.1673…, the root of x⁵ = x + 1: as even as four numbers get.
+    // The powers of the inverse of 1.1673…, the root of x⁵ = x + 1: a four-dimensional low-discrepancy sequence.
     let [height, around, out, ago] = [0.856_674_883_9, 0.733_891_856_6, 0.628_706_721_0, 0.538_596_253_1].map(part);
     let (cosine, angle) = (2.0 * height - 1.0, std::f64::consts::TAU * around);
     let across = (1.0 - cosine * cosine).sqrt();
@@ -208,7 +211,7 @@ impl Law for Metric {
         Some(Arc::new(Self { time: self.time + time, ..self.clone() }))
     }
 
-    /// The null condition; and L/E about the axis, of rays whose energy E is above 0.
+    /// Returns the null condition, and L/E around the axis for rays whose energy E is positive.
     fn invariants(&self, x: DVec3, v: DVec3) -> Vec<Invariant> {
         if self.carries_time() {
             return Vec::new();
@@ -225,7 +228,7 @@ impl Law for Metric {
         kept
     }
 
-    /// Along v as fast as light.
+    /// Returns a velocity along v at the speed of light.
     fn starting_velocity(&self, x: DVec3, v: DVec3) -> DVec3 {
         let (metric, way) = (self.at(x), v.extend(0.0));
         v / light_speed(-metric.w_axis.w, way.dot(metric.w_axis), way.dot(metric * way))

@@ -1,4 +1,4 @@
-//! The table of a law by its line element.
+//! The reader of a law with a line element.
 
 use glam::DVec3;
 
@@ -69,7 +69,7 @@ fn written(table: &TableReader, node: &Node) -> Option<String> {
     said.ok().map(str::to_owned)
 }
 
-/// What a table names, in its order; all are read before any is missed.
+/// Reads the entries of a table in order; all are read before the first error returns.
 fn named<'a, T>(
     table: &TableReader<'_, 'a>,
     key: &'static str,
