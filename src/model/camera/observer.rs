@@ -26,9 +26,9 @@ fn tetrad(metric: &DMat4, u: DVec4, camera: &Camera) -> [DVec4; 3] {
     [found[2], found[1], found[0]]
 }
 
-/// Returns the uniforms from which the shader computes the frequency of light: components of K, which are linear in the direction that it
-/// is seen in. Under a stationary law these are the two that are conserved, `K_t` and, about the law's axis, `K_φ`; the axis is 0
-/// unless `turning_is_kept`. Under a law that changes with t nothing is conserved, and it is −Kᵗ, the ratio of K to the ray's velocity.
+/// Returns the uniforms for the frequency of light: components of K, which are linear in the observed direction. Under a stationary law
+/// these are the two conserved components `K_t` and, around the law's axis, `K_φ`; the axis is 0 unless `turning_is_kept`. Under a law
+/// that depends on t nothing is conserved, and the component is −Kᵗ, the ratio of K to the ray's velocity.
 pub fn frequency(law: &dyn Law, camera: &Camera, turning_is_kept: bool) -> Option<Row> {
     let metric = law.metric(camera.position, 0.0)?;
     let axes = axes(law, camera)?;

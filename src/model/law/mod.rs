@@ -1,13 +1,13 @@
-//! Laws: how light travels. The contract, and the table of kinds.
+//! Laws, which define how light propagates: the contract and the table of kinds.
 //!
-//! *Theory.* A law gives the derivative of a point of phase space p = (x, v) along a ray, dp/dτ. The WGSL contract is
-//! `law_derivative(p)`, `law_start(x, v)`, `law_projected(p)`, `law_scale(p)` and `path_acceleration(p, rate)`; a law whose acceleration
-//! depends on place alone gives `law_acceleration(x, held)` and `law_held(p)` instead of the first and the last. [`Law`] is what the host
-//! has to know besides.
+//! *Theory.* A law is the derivative dp/dτ of a point of phase space p = (x, v) along a ray. The WGSL contract is `law_derivative(p)`,
+//! `law_start(x, v)`, `law_projected(p)`, `law_scale(p)` and `path_acceleration(p, rate)`. A law whose acceleration depends on position
+//! alone implements `law_acceleration(x, held)` and `law_held(p)` instead of the first and the last. [`Law`] contains the properties that
+//! the host needs.
 //!
-//! *Practice.* [`KINDS`] names each kind once. Adding one is a WGSL file, a file here and a line of that table.
+//! *Practice.* [`KINDS`] lists each kind once. To add a kind, add a WGSL file, a file here and a line of that table.
 //!
-//! *Length.* Over 300 lines, because the contract of laws and the facts that they state stand together, each with its documentation.
+//! *Length.* This file is over 300 lines, because it contains the contract of laws and their properties, with documentation of each.
 
 mod charged;
 mod flow;
@@ -56,11 +56,11 @@ pub use sources::{ByLength, Sources};
 pub use straight::Straight;
 pub use wormhole::Wormhole;
 
-/// Reads a law; none if it cannot be used.
+/// Reads a law; returns `None` after an error.
 type Read = fn(&TableReader, &mut Files) -> Option<Arc<dyn Law>>;
 type Kind = document::Kind<Read>;
 
-/// Every kind of law. Adding one is a line here.
+/// The table of all laws; a new kind needs one line here.
 pub static KINDS: Kinds<Read> = Kinds {
     table: "law",
     chooser: "kind",
@@ -82,85 +82,85 @@ pub static KINDS: Kinds<Read> = Kinds {
     ],
 };
 
-/// The parts of a usual law of the second order: it holds nothing, and takes starts and steps as they are.
+/// The modules of a usual second-order law, which stores no constant per ray and leaves starts and steps unchanged.
 const USUAL_PARTS: [&str; 4] = ["law/accelerated", "law/held_nothing", "law/start_as_given", "law/projected_as_is"];
 
-/// What is known of a law whatever the place.
+/// The properties of a law that do not depend on position.
 #[derive(Debug, Clone)]
 #[allow(clippy::struct_excessive_bools)] // facts, each by itself
 pub struct Facts<'a> {
-    /// What the derivative depends on.
+    /// The variables on which the derivative depends.
     pub order: Order,
-    /// Does a state carry time, as a fourth number beside place and velocity?
+    /// Is `true` if a state includes time as a fourth number next to position and velocity.
     pub carries_time: bool,
-    /// Is it another law at another time?
+    /// Is `true` if the law depends on time.
     pub changes_with_time: bool,
-    /// Is its τ the time that light takes, in the scene's units?
+    /// Is `true` if τ is the travel time of light, in the scene's units.
     pub keeps_time: bool,
-    /// Are rays straight lines at a speed of their own, whatever their place?
+    /// Is `true` if rays are straight lines whose speed does not depend on position.
     pub is_straight: bool,
-    /// The steps by which its rays are usually followed in the least time.
+    /// The steps that usually follow its rays in the least time.
     pub usual_steps: UsualSteps,
-    /// How many terms one evaluation of its derivative adds up, each about as long as a simple law.
+    /// The number of terms of one derivative evaluation, each about as expensive as a simple law.
     pub terms: u32,
-    /// The medium, the curve or the line element that it is, if it is one.
+    /// The medium, curve or line element of the law, if it is one of these.
     pub form: Form<'a>,
-    /// What its force comes from, for the parts that know the way there.
+    /// The sources of force, for the modules that compute the offset to them.
     pub anchors: Vec<Anchor>,
-    /// The orbit about its only center, if it has one whose r has an equation of its own.
+    /// The orbit around the only center, if the law has one and r has a separate equation.
     pub orbit: Option<Orbit>,
-    /// What joins two places of its space, if something does.
+    /// The throat that connects two regions of its space, if there is one.
     pub throat: Option<Throat>,
-    /// The closed form of all its paths, if they have one, and if that is not a medium's.
+    /// The closed form of all paths, if they have one that is not a medium's.
     pub closed_form: Option<&'static ClosedForm>,
-    /// The τ at which its rays end of themselves.
+    /// The τ at which all rays end.
     pub length: Option<f64>,
-    /// Is τ the path's length, whatever the velocity?
+    /// Is `true` if τ is the arc length of the path, whatever the velocity.
     pub by_length: bool,
-    /// Do orbits of light lie within the place where rays are captured, so that some turn there and are not?
+    /// Is `true` if photon orbits extend into the capture region, so that some rays turn there and are not captured.
     pub turns_before_capture: bool,
-    /// The part that ends light from below a horizon, and the horizon.
+    /// The module that ends light from below a horizon, and the horizon.
     pub below: Option<(&'static str, Capture)>,
-    /// The surface within which rays are not followed, and that nothing comes out of.
+    /// The surface inside which rays are not followed, and that nothing leaves.
     pub swallows: Option<Capture>,
-    /// The parts that give the momentum of light, if light has a frequency under this law; else none.
+    /// The modules for the momentum of light; empty if light has no frequency under this law.
     pub momentum_parts: &'static [&'static str],
-    /// Why it does not matter where a ray points, if that is so.
+    /// The reason why the direction of a ray has no effect, if this is so.
     pub ignores_direction: Option<&'static str>,
-    /// Why light cannot be followed from where it shines, if it cannot.
+    /// The reason why light cannot be traced forward from its sources, if this is so.
     pub refuses_sent_light: Option<&'static str>,
-    /// Why rays cannot go on from surfaces.
+    /// The reason why rays cannot continue from surfaces, if this is so.
     pub refuses_surfaces: Option<&'static str>,
-    /// Why rays cannot go on through what objects are filled with, where they can go on from mirrors.
+    /// The reason why rays cannot continue through interiors, if they can continue from mirrors.
     pub refuses_interiors: Option<&'static str>,
 }
 
-/// What a law is, where others have to know it.
+/// A structure of a law that other code depends on.
 #[derive(Debug, Clone, Copy)]
 pub enum Form<'a> {
-    /// None of these.
+    /// No special structure.
     Other,
-    /// A medium that fills all space.
+    /// A medium that fills all of space.
     Medium(&'a Arc<dyn Medium>),
     /// A curve that all rays follow.
     Curve(&'a Parametric),
-    /// A line element; rays end where that says.
+    /// A line element, which also defines where rays end.
     LineElement(&'a LineElement),
 }
 
-/// Steps that take the least time for most pictures, as charts have shown.
+/// The kind of steps that takes the least time for most images, according to charts.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum UsualSteps {
-    /// Those of the orbit's own equation, or under a tolerance where there is none.
+    /// Steps of the orbit's equation, or of a tolerance if there is no orbit.
     Orbit,
-    /// Those that a tolerance chooses.
+    /// Steps that a tolerance determines.
     Tolerant,
-    /// A fixed part of the law's scale, which is so short that it seldom has to be a small one.
+    /// A fixed fraction of the law's length scale, for laws whose scale is so short that the fraction seldom has to be small.
     Scaled,
 }
 
 impl Default for Facts<'_> {
-    /// Returns the facts of a law of the second order that makes no demands and knows no observers.
+    /// Returns the properties of a second-order law without restrictions and without observers.
     fn default() -> Self {
         Self {
             order: Order::Place,
@@ -190,7 +190,7 @@ impl Default for Facts<'_> {
 }
 
 impl<'a> Facts<'a> {
-    /// Returns the facts of a flow: a law of the first order.
+    /// Returns the properties of a flow, which is a first-order law.
     #[must_use]
     pub fn flow() -> Self {
         const SAME: &str = "all rays from there follow the same orbit";
@@ -203,118 +203,118 @@ impl<'a> Facts<'a> {
         }
     }
 
-    /// Returns the medium that fills all space, if that is what the law is.
+    /// Returns the medium that fills all of space, if the law is one.
     #[must_use]
     pub fn medium(&self) -> Option<&'a Arc<dyn Medium>> {
         if let Form::Medium(medium) = self.form { Some(medium) } else { None }
     }
 
-    /// Returns the curve that all rays follow, if they do.
+    /// Returns the curve that all rays follow, if the law is one.
     #[must_use]
     pub fn curve(&self) -> Option<&'a Parametric> {
         if let Form::Curve(curve) = self.form { Some(curve) } else { None }
     }
 
-    /// Returns the line element that the law is written as, if it is.
+    /// Returns the line element, if the law has one.
     #[must_use]
     pub fn line_element(&self) -> Option<&'a LineElement> {
         if let Form::LineElement(element) = self.form { Some(element) } else { None }
     }
 
-    /// Returns why rays cannot go on from surfaces: from mirrors, and with `interiors` through what objects are filled with.
+    /// Returns why rays cannot continue from mirrors or, with `interiors`, through interiors.
     #[must_use]
     pub fn refuses_surfaces(&self, interiors: bool) -> Option<&'static str> {
         self.refuses_surfaces.or(self.refuses_interiors.filter(|_| interiors))
     }
 
-    /// Returns `true` if rays are not followed from this place, which nothing comes out of.
+    /// Returns `true` if rays are not followed from this position, because nothing leaves it.
     #[must_use]
     pub fn swallows(&self, x: DVec3) -> bool {
         self.swallows.is_some_and(|surface| surface.distance(x) < 0.0)
     }
 }
 
-/// How light travels.
+/// A law, which defines how light propagates.
 pub trait Law: fmt::Debug + Send + Sync + Same {
-    /// The WGSL that keeps the contract.
+    /// Returns the WGSL modules that implement the contract.
     fn parts(&self) -> Vec<Wgsl>;
 
-    /// What its parts are fed.
+    /// Returns the values of the modules.
     fn values(&self) -> Vec<Binding> {
         Vec::new()
     }
 
-    /// What is known of it whatever the place.
+    /// Returns the properties that do not depend on position.
     fn facts(&self) -> Facts<'_> {
         Facts::default()
     }
 
-    /// The law at a time so much later, in a camera's axes, which are columns: to the right, up and backwards; none if it is the same.
+    /// Returns the law `time` later, in a camera's axes, which are columns to the right, up and backwards; `None` if it is unchanged.
     fn seen(&self, axes: Option<DMat3>, time: f64) -> Option<Arc<dyn Law>> {
         let _ = (axes, time);
         None
     }
 
-    /// Where rays end. `clearance` is how far the objects of the scene are at least from a place; none where a ray is to be
-    /// followed as far as it goes.
+    /// Returns the regions in which rays end. `clearance` is a lower bound of the distance from a position to the scene's objects; `None`
+    /// if rays are followed as far as possible.
     fn captures(&self, clearance: Option<&dyn Fn(DVec3) -> f64>) -> Vec<Capture> {
         let _ = clearance;
         self.facts().medium().and_then(|medium| medium.facts().capture).into_iter().collect()
     }
 
-    /// What is kept along a ray.
+    /// Returns the constants of motion of a ray.
     fn invariants(&self, x: DVec3, v: DVec3) -> Vec<Invariant> {
         let _ = (x, v);
         Vec::new()
     }
 
-    /// Spheres that a drawing shows: horizons, spheres that capture, edges.
+    /// Returns the spheres that a diagram shows: horizons, capture spheres, edges.
     fn landmarks(&self) -> Vec<Landmark> {
         self.facts().throat.map_or_else(Vec::new, |throat| throat.landmarks())
     }
 
-    /// The velocity that a given one at x stands for, where the law does not take it as it is.
+    /// Returns the initial velocity of a ray at x with direction v, which the law may normalize.
     fn starting_velocity(&self, x: DVec3, v: DVec3) -> DVec3 {
         let _ = x;
         v
     }
 
-    /// The metric of spacetime at a place and so much later, if the law is that of one: of vectors of the place's components, then
-    /// the time's.
+    /// Returns the metric of spacetime at a position and `time` later, if the law has one; vectors have spatial components followed by the
+    /// time component.
     fn metric(&self, x: DVec3, time: f64) -> Option<DMat4> {
         let _ = (x, time);
         None
     }
 
-    /// The length over which its metric changes at a place.
+    /// Returns the length scale over which the metric changes at a position.
     fn length_scale(&self, x: DVec3) -> f64 {
         let _ = x;
         1.0
     }
 
-    /// The four-velocity of an observer there; none, whatever the place, under laws that know no such observer. Or why there can be
-    /// none, as what follows the camera's name in the message, and what to do.
+    /// Returns the four-velocity of an observer at a position, or `None` under laws without such observers. An error contains the text that
+    /// follows the camera's name in the message, and the remedy.
     fn observer(&self, frame: CameraFrame, at: DVec3) -> Option<Result<DVec4, [String; 2]>> {
         let _ = (frame, at);
         None
     }
 
-    /// The part that knows the directions of an observer, if they are not the coordinates'; none under laws that know no such observer.
+    /// Returns the module for the directions of an observer; `None` for coordinate directions and under laws without such observers.
     fn frame_part(&self, frame: CameraFrame) -> Option<&'static str> {
         self.observer(frame, DVec3::ZERO).map(|_| OBSERVER_PART)
     }
 
-    /// The center and the axis about which matter goes round, if it does: on the orbits of [`CameraFrame::ProgradeOrbit`].
+    /// Returns the center and the axis of the matter on [`CameraFrame::ProgradeOrbit`], if matter can orbit.
     fn equator(&self) -> Option<[DVec3; 2]> {
         None
     }
 
-    /// Why no eye can be at a place: what follows the eye's name in the message, and what to do.
+    /// Returns why no eye can be at a position: the text that follows the eye's name in the message, and the remedy.
     fn refuses_eye(&self, at: DVec3) -> Option<[String; 2]> {
         self.facts().throat?.refuses_eye(at)
     }
 
-    /// A warning about the law within a sphere of space, if it is out of the ordinary there.
+    /// Returns a warning about unusual behavior of the law within a sphere, if there is any.
     fn remark(&self, center: DVec3, radius: f64) -> Option<String> {
         let _ = (center, radius);
         None
@@ -323,29 +323,29 @@ pub trait Law: fmt::Debug + Send + Sync + Same {
 
 same!(Law);
 
-/// What the derivative of a law depends on.
+/// The variables on which the derivative of a law depends.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Order {
     /// First order: dx = F(x), and v is F(x).
     Flow,
-    /// Second order, dx = v, dv = a(x): with a constant of its own that each ray holds, or with none.
+    /// Second order, dx = v, dv = a(x), optionally with a constant that each ray stores.
     Place,
-    /// Second order, by place and velocity, or with time.
+    /// Second order with dependence on position and velocity, or on time.
     General,
 }
 
-/// A quantity that a law keeps.
+/// A constant of motion.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Invariant {
-    /// Its name.
+    /// The name.
     pub name: &'static str,
-    /// Its value.
+    /// The value.
     pub value: f64,
-    /// The size of what it is made of.
+    /// The sum of the magnitudes of its terms.
     pub size: f64,
 }
 
-/// None if the law cannot be used; straight lines if there is none. And what is left of light on its way through space.
+/// Reads the law and the absorption of space. The law defaults to straight lines, and is `None` after an error.
 pub(crate) fn read(root: &TableReader, files: &mut Files) -> (Option<Arc<dyn Law>>, Option<Filter>) {
     if root.node("law").is_none() {
         return (Some(Arc::new(Straight)), None);

@@ -1,36 +1,36 @@
-//! Observers: whose directions a camera's are, and how they move.
+//! Observers, who define the directions of a camera and their motion.
 //!
-//! Four-vectors have the place's three components first, and then the time's.
+//! Four-vectors have three spatial components followed by the time component.
 
 use glam::{DMat3, DMat4, DVec3, DVec4};
 
-/// The part that has the directions of an observer at the camera's one place.
+/// The module for the directions of an observer at the camera's only position.
 pub const OBSERVER_PART: &str = "camera/frame_observer";
 
-/// Whose unit directions the camera's are, under laws for which that differs.
+/// The observer whose unit directions the camera uses, under laws for which observers differ.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum CameraFrame {
-    /// Directions are coordinate directions (W04 §5.4).
+    /// Coordinate directions (W04 §5.4).
     Coordinate,
-    /// Those that an observer at rest measures.
+    /// A static observer.
     Static,
-    /// Of one at rest in the slices of equal time.
+    /// An Eulerian observer, at rest in slices of equal time.
     Eulerian,
-    /// Of one with no angular momentum about the hole's axis.
+    /// An observer with zero angular momentum about the black hole's axis.
     Zamo,
-    /// Of one on a circular orbit round the hole's equator, the way that it spins.
+    /// An observer on a prograde circular orbit in the black hole's equatorial plane.
     ProgradeOrbit,
-    /// The other way.
+    /// An observer on a retrograde circular orbit.
     RetrogradeOrbit,
-    /// Of one that has fallen from rest, far away, without angular momentum.
+    /// An observer in free fall from rest at infinity, without angular momentum.
     Infalling,
-    /// Of one that moves, to one at rest in the slices of equal time, along this direction of the coordinates and at its length, in
-    /// parts of light's speed.
+    /// An observer who moves relative to the Eulerian observer along this coordinate direction, with its length as the speed in units of
+    /// the speed of light.
     Boosted(DVec3),
 }
 
 impl CameraFrame {
-    /// As a scene file has them.
+    /// The names in a scene file.
     pub const WORDS: [(&'static str, Self); 8] = [
         ("coordinate", Self::Coordinate),
         ("static", Self::Static),
@@ -43,19 +43,19 @@ impl CameraFrame {
     ];
 }
 
-/// The four-velocity that is along k; none if that is no way of anything slower than light.
+/// Returns the four-velocity along k, or `None` if k is not timelike.
 fn normalised(metric: &DMat4, k: DVec4) -> Option<DVec4> {
     let length = -k.dot(*metric * k);
     (length > 0.0).then(|| k / length.sqrt())
 }
 
-/// At rest in the slices of equal time.
+/// Returns the four-velocity of the Eulerian observer.
 fn normal(metric: &DMat4) -> Option<DVec4> {
     let inverse = metric.inverse();
     normalised(metric, -inverse.col(3))
 }
 
-/// Moving past that one, along `velocity` and as fast as it is long.
+/// Returns the four-velocity of an observer who moves relative to the Eulerian observer with `velocity`.
 fn moving(metric: &DMat4, velocity: DVec3) -> Option<DVec4> {
     let along = velocity.extend(0.0);
     let length = along.dot(*metric * along).sqrt();
@@ -63,7 +63,7 @@ fn moving(metric: &DMat4, velocity: DVec3) -> Option<DVec4> {
     normalised(metric, normal(metric)? + stretched * along)
 }
 
-/// κ of v/κ from aκ² + 2bκ = c: as the shader's `light_speed`.
+/// Returns κ of v/κ from aκ² + 2bκ = c, as the shader's `light_speed` does.
 pub(super) fn light_speed(a: f64, b: f64, c: f64) -> f64 {
     let root = (b * b + a * c).sqrt();
     let (faster, slower) = (c / (b + root), c / (b - root));
@@ -72,7 +72,7 @@ pub(super) fn light_speed(a: f64, b: f64, c: f64) -> f64 {
     if kappa > 0.0 { kappa } else { 0.0 }
 }
 
-/// −A dt² with A = `clock`, and in space lengths squared along the unit vector n and across it, by these factors.
+/// Returns the metric −A dt² with A = `clock`, with squared lengths along the unit vector n and across it scaled by these factors.
 pub(super) fn spherical(n: DVec3, along: f64, across: f64, clock: f64) -> DMat4 {
     let radial = DMat3::from_cols(n.x * n, n.y * n, n.z * n);
     let mut metric = DMat4::from_mat3(across * DMat3::IDENTITY + (along - across) * radial);
@@ -80,8 +80,8 @@ pub(super) fn spherical(n: DVec3, along: f64, across: f64, clock: f64) -> DMat4 
     metric
 }
 
-/// Returns the four-velocity of an observer at a place with this metric, where `around` is the way round the law's axis and `orbiting`
-/// gives dφ/dt of the circular orbit, with φ (1) or against it (−1). `None` if nothing can move so, or if only the law knows how.
+/// Returns the four-velocity of an observer at a position with this metric, or `None` for impossible motion and for frames that only the
+/// law can compute. `around` is the azimuthal vector; `orbiting` returns dφ/dt of the circular orbit, with φ (1) or against it (−1).
 pub(super) fn four_velocity(
     metric: &DMat4,
     frame: CameraFrame,
@@ -104,7 +104,7 @@ pub(super) fn four_velocity(
     }
 }
 
-/// Returns the four-velocity of an observer in a space whose clocks all go alike: at rest, or moving. `None` for the other frames.
+/// Returns the four-velocity of a static or moving observer in a space without time dilation, or `None` for the other frames.
 pub(super) fn in_space(metric: &DMat4, frame: CameraFrame) -> Option<Result<DVec4, [String; 2]>> {
     let is_known = matches!(frame, CameraFrame::Static | CameraFrame::Eulerian | CameraFrame::Boosted(_));
     let found = || four_velocity(metric, frame, DVec3::ZERO, &|_| None);

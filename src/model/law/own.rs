@@ -1,6 +1,6 @@
-//! A law of the user's own, in WGSL: a scene names the file, declares its parameters, and says what the derivative depends on.
+//! A custom law in WGSL: a scene specifies the file, its parameters, and the variables of the derivative.
 //!
-//! *Practice.* The file keeps the contract of the built-in laws in `shaders/law/`, as far as `depends` asks for it:
+//! *Practice.* The file implements the contract of the built-in laws in `shaders/law/`, as far as `depends` requires:
 //!
 //! | `depends` | what the file must have |
 //! |---|---|
@@ -9,9 +9,9 @@
 //! | `"time"` | `fn law_pull_at(x: Real3, v: Real3, tau: Real) -> Real3`: and by τ, from the ray's start |
 //! | `"flow"` | `fn flow_field(x: Real3) -> Real3`: a law of the first order gives the velocity itself |
 //!
-//! It may have `law_start`, `law_projected` and `law_scale` (`flow_time` for a flow) too; what it leaves out is as usual. Parameters
-//! are members of `law`: a number is a `Real`, an array of 2 to 4 numbers a vector of as many. Other names are the file's own. Loops
-//! are `for` loops of a length that is written in the file, and there are no bindings.
+//! The file may also define `law_start`, `law_projected` and `law_scale` (`flow_time` for a flow), and otherwise uses the defaults.
+//! Parameters are members of `law`: a number is a `Real`, an array of 2 to 4 numbers a vector. Other names are private to the file. Loops
+//! are `for` loops with a constant number of iterations, and there are no bindings.
 
 use std::fmt::Write as _;
 use std::sync::Arc;
@@ -25,7 +25,7 @@ use crate::document::values::{Read, array, number, positive, word};
 use crate::document::{Node, Value as Written, keys};
 use crate::model::{Anchor, Binding, Capture, OwnWgsl, Promise, Row, Value, Wgsl, row};
 
-/// What is known of it.
+/// The description of this law.
 pub static KIND: Kind = Kind {
     name: "wgsl",
     keys: keys! {
@@ -54,7 +54,7 @@ pub static KIND: Kind = Kind {
     },
 };
 
-/// All are read before any is missed.
+/// Reads the capture spheres; all are read before the first error returns.
 fn captures(table: &TableReader) -> Option<Vec<Capture>> {
     let Some(node) = table.node("capture_spheres") else { return Some(Vec::new()) };
     let Written::Array(items) = &node.value else {
@@ -70,7 +70,7 @@ fn captures(table: &TableReader) -> Option<Vec<Capture>> {
     all.into_iter().collect()
 }
 
-/// All are read before any is missed.
+/// Reads the parameters; all are read before the first error returns.
 fn parameters(table: &TableReader, text: Option<&str>) -> Option<Vec<(String, Value)>> {
     let Some(own) = table.node("parameters") else { return Some(Vec::new()) };
     let own = table.reader.open("law.parameters", own)?;
@@ -91,7 +91,7 @@ fn is_name(name: &str, node: &Node) -> Read<()> {
     if fits { Ok(()) } else { Err(node.fault(problem(), "use letters, digits and single underscores, a letter first")) }
 }
 
-/// A name that the file never mentions is a slip in one of the two.
+/// Checks that the file uses the parameter; otherwise, one of the two is misspelled.
 fn is_used(name: &str, node: &Node, text: Option<&str>) -> Read<()> {
     let mut words = text.into_iter().flat_map(|text| text.split(|c: char| !c.is_ascii_alphanumeric() && c != '_'));
     if text.is_none() || words.any(|word| word == name) {
@@ -111,38 +111,38 @@ fn parameter(node: &Node) -> Read<Value> {
     }
 }
 
-/// What the derivative of one's own law depends on.
+/// The variables on which the derivative of a custom law depends.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Depends {
-    /// Second order, by place alone.
+    /// Second order with dependence on position alone.
     Place,
-    /// Second order, by place and velocity.
+    /// Second order with dependence on position and velocity.
     Velocity,
-    /// Second order, by place, velocity and τ.
+    /// Second order with dependence on position, velocity and τ.
     Time,
     /// First order.
     Flow,
 }
 
-/// A law from a file.
+/// A custom law from a file.
 #[derive(Debug, Clone, PartialEq)]
 pub struct OwnLaw {
-    /// What errors call the file.
+    /// The name of the file in error messages.
     pub file: String,
-    /// Its WGSL.
+    /// The WGSL code.
     pub text: Arc<str>,
-    /// What the derivative depends on.
+    /// The variables on which the derivative depends.
     pub depends: Depends,
-    /// The length over which the law changes, in scene units; for a flow the time.
+    /// The length over which the law changes, in scene units; for a flow, the time.
     pub scale: f64,
-    /// Where rays that move inwards end.
+    /// The regions in which rays that move inwards end.
     pub captures: Vec<Capture>,
     /// The members of `law`.
     pub parameters: Vec<(String, Value)>,
 }
 
 impl OwnLaw {
-    /// What the file has to declare, or may.
+    /// Returns the functions that the file must or may define.
     fn promises(&self) -> Vec<Promise> {
         let all = [
             Promise::usual("fn law_start(x: Real3, v: Real3) -> Phase", "law/start_as_given"),
@@ -167,7 +167,7 @@ impl OwnLaw {
         own.into_iter().chain(all).collect()
     }
 
-    /// The uniforms that parameters and scale come in.
+    /// Returns the WGSL declarations of the uniforms for parameters and scale.
     fn declared(&self) -> String {
         let mut text = String::from("struct LawScale {\n    scale: Real,\n}\n\nvar<uniform> own_scale: LawScale;\n");
         if !self.parameters.is_empty() {
@@ -208,7 +208,7 @@ impl Law for OwnLaw {
         [scale].into_iter().chain(law).collect()
     }
 
-    /// Its author has said over what time it changes.
+    /// The steps are scaled, because the author specifies the scale over which the law changes.
     fn facts(&self) -> Facts<'_> {
         let time = "behind a surface a law that depends on τ would begin again at 0";
         let by = |order| Facts { order, refuses_interiors: Some(OWN_SPEED), ..Facts::default() };

@@ -1,10 +1,10 @@
-//! Rays along a curve that the scene writes: x(t), y(t), z(t), the same from every place (G95 §2.3).
+//! Rays along a curve x(t), y(t), z(t) from the scene, which is the same at every position (G95 §2.3).
 //!
-//! *Theory.* The curve is moved so that it leads through the place on the image plane at t = 0 (Table 3's "translated"), or where the
-//! range of t has no 0, at its beginning. Nothing decides where a ray goes but where it starts.
+//! *Theory.* The curve is translated so that it passes through the point on the image plane at t = 0 (G95 Table 3, "translated") or, if the
+//! range of t does not contain 0, at its start. Only the starting point determines the path of a ray.
 //!
-//! *Practice.* Paths are the curve itself, with no solver; a solver may be named to be compared with it, and then follows the second
-//! derivative (G95's Table 1 has such a row). Derivatives are made from the formulas.
+//! *Practice.* The curve is the path, so that no solver is needed. A solver may be specified for comparison, and then integrates the second
+//! derivative (G95 Table 1 has such a row). Derivatives are computed from the formulas.
 
 use std::sync::Arc;
 
@@ -38,7 +38,7 @@ pub static KIND: Kind = Kind {
     },
 };
 
-/// The curve itself, for rays that need no solver.
+/// The closed form of the curve, for rays that need no solver.
 static FORM: ClosedForm = ClosedForm {
     name: "parametric",
     parts: &["motion/parametric", "motion/pace_tau", "motion/closed"],
@@ -80,21 +80,21 @@ fn range(node: &Node) -> Read<[f64; 2]> {
 /// A curve and the range of its parameter.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Parametric {
-    /// x(t), y(t) and z(t).
+    /// The coordinates x(t), y(t) and z(t).
     pub curve: Curve,
-    /// t at the ray's beginning.
+    /// The parameter t at the start of the ray.
     pub first: f64,
-    /// t at its end.
+    /// The parameter t at its end.
     pub last: f64,
-    /// The axes of its formulas, in columns, if they are a camera's.
+    /// The axes of the formulas, as columns, if they are those of a camera.
     pub turned: Option<DMat3>,
 }
 
-/// Places in which a curve's range is looked through for some that have no value.
+/// The number of points at which the range of a curve is checked for values.
 const LOOKS: u32 = 4096;
 
 impl Parametric {
-    /// The t at which it leads through the place that it is given.
+    /// Returns the t at which the curve passes through the starting point.
     #[must_use]
     pub fn anchor(&self) -> f64 {
         if self.first <= 0.0 && self.last >= 0.0 { 0.0 } else { self.first }
@@ -104,13 +104,13 @@ impl Parametric {
         self.turned.unwrap_or(DMat3::IDENTITY)
     }
 
-    /// Place, velocity and three more derivatives after so much of t, in the scene's axes.
+    /// Returns position, velocity and three more derivatives at t = first + `tau`, in the scene's axes.
     #[must_use]
     pub fn at(&self, tau: f64) -> [DVec3; 5] {
         self.curve.at(self.first + tau).map(|c| self.axes() * c)
     }
 
-    /// The same over an interval, and whether the curve has no kink there.
+    /// Returns the derivatives over an interval, and `true` if the curve has no kink there.
     #[must_use]
     pub fn over(&self, tau: Interval) -> ([[Interval; 3]; 5], bool) {
         let (all, smooth) = self.curve.over(tau.plus(Interval::at(self.first)));
@@ -125,7 +125,7 @@ impl Parametric {
         (turned, smooth)
     }
 
-    /// Has it a value all along, and does it lead anywhere? What is wrong is reported, at the formula that it is wrong with.
+    /// Returns `true` if the curve has values over its whole range and is not a point. Errors are reported at the faulty formula.
     fn is_sound(&self, table: &TableReader) -> bool {
         let place = |k: u32| self.first + (self.last - self.first) * f64::from(k) / f64::from(LOOKS);
         let all: Vec<_> = std::iter::once(self.anchor()).chain((0..=LOOKS).map(place)).collect();

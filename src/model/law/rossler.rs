@@ -1,4 +1,4 @@
-//! Rössler's system: F = (−(y+z), x + αy, β + z(x−γ)) (G95 §2.2; W04 prints −(x+z) in the first row, a misprint).
+//! The Rössler system: F = (−(y+z), x + αy, β + z(x−γ)) (G95 §2.2; W04 prints −(x+z) in the first row, a misprint).
 
 use std::sync::Arc;
 
@@ -21,15 +21,15 @@ pub static KIND: Kind = Kind {
 };
 
 fields! {
-    /// Rössler's system.
+    /// The Rössler system.
     Rossler(table: &TableReader) {
-        /// α, by default 0.375.
+        /// The parameter α, by default 0.375.
         alpha: f64 as Float = Some(table.or("alpha", 0.375, number)),
-        /// β, by default 2.
+        /// The parameter β, by default 2.
         beta: f64 as Float = Some(table.or("beta", 2.0, number)),
-        /// γ, by default 4.
+        /// The parameter γ, by default 4.
         gamma: f64 as Float = Some(table.or("gamma", 4.0, number)),
-        /// What the field is to the ray.
+        /// The relation of the field to the ray.
         order: FlowOrder = Some(FlowOrder::read(table)),
     }
 }

@@ -27,7 +27,7 @@ pub static KIND: Kind = Kind {
             table.fault(&["sources", "kind"], "a law of sources needs at least one", help);
             return None;
         }
-        // All are read before any is missed.
+        // All sources are read before the first error returns, so that every error is reported.
         let sources: Vec<Option<Source>> = tables.into_iter().map(source).collect();
         let by_length = table.or("parameter", false, word(&[("time", false), ("length", true)]));
         let sources = Sources(sources.into_iter().collect::<Option<_>>()?);
@@ -50,7 +50,7 @@ fn source(table: TableReader) -> Option<Source> {
     Some(Source { anchor, strength: strength?, falloff: falloff?, capture })
 }
 
-/// Why light goes through no surface here.
+/// The reason why light cannot cross surfaces under this law.
 pub(super) const OWN_SPEED: &str =
     "an interior needs a law by which light has no speed of its own: straight, schwarzschild or medium";
 
@@ -63,12 +63,12 @@ impl Sources {
         self.0.iter().filter(move |source| source.falloff.kind == kind)
     }
 
-    /// The kinds of fall-off that there are.
+    /// Returns the kinds of fall-off that the sources use.
     fn falloffs(&self) -> impl Iterator<Item = &'static falloff::Kind> {
         FALLOFFS.into_iter().filter(|kind| self.of(kind).next().is_some())
     }
 
-    /// The sum of the fall-offs' accelerations, and how near the nearest source is.
+    /// Returns the WGSL of the sum of accelerations and of the distance to the nearest source.
     fn sums(&self) -> String {
         let sum: Vec<_> = self.falloffs().map(|kind| format!("{}_acceleration(x)", kind.wgsl)).collect();
         let nearest = self.falloffs().map(|kind| format!("{}_distance(x)", kind.wgsl));
@@ -80,7 +80,7 @@ impl Sources {
         )
     }
 
-    /// The acceleration that all of them add, and the distance of the nearest.
+    /// Returns the WGSL modules of the total acceleration and of the distance to the nearest source.
     fn forces(&self) -> Vec<Wgsl> {
         let mut parts = Wgsl::parts(&["law/sources"]);
         parts.extend(self.falloffs().map(|kind| Wgsl::Part(format!("law/falloff/{}", kind.wgsl).into())));
@@ -90,14 +90,14 @@ impl Sources {
         parts
     }
 
-    /// V, and the sum of its parts' sizes.
+    /// Returns the potential V, and the sum of the magnitudes of its terms.
     fn potential(&self, x: DVec3) -> [f64; 2] {
         let parts =
             self.0.iter().map(|source| source.strength * source.falloff.potential(source.anchor.offset(x).length()));
         [parts.clone().sum(), parts.map(f64::abs).sum()]
     }
 
-    /// The orbit about the only center, if there is one.
+    /// Returns the orbit around the only center, if there is one.
     fn orbit(&self) -> Option<Orbit> {
         let [only] = self.0.as_slice() else { return None };
         let falloff = only.falloff.kind;
@@ -109,7 +109,7 @@ impl Sources {
         only.anchor.kind.is_point.then_some(orbit)
     }
 
-    /// How long the lists are: known to the compiler, which may unroll them.
+    /// Returns the lengths of the lists as WGSL constants, so that the compiler may unroll loops.
     fn counts(&self) -> String {
         let mut text = String::new();
         for kind in self.falloffs() {
@@ -139,7 +139,7 @@ impl Law for Sources {
         self.falloffs().map(|kind| Binding::list(kind.wgsl, self.of(kind).map(row).collect())).collect()
     }
 
-    /// Rays pass close by a source, where steps of its orbit's equation are no longer than others and cost more.
+    /// Rays pass close to a source, where steps of the orbit equation are as long as others and cost more.
     fn facts(&self) -> Facts<'_> {
         Facts {
             usual_steps: UsualSteps::Tolerant,
@@ -156,7 +156,7 @@ impl Law for Sources {
         self.0.iter().filter(|source| source.capture > 0.0).map(capture).collect()
     }
 
-    /// The energy ½|v|² + V, and about a single center x × v.
+    /// Returns the energy ½|v|² + V and, for a single center, x × v.
     fn invariants(&self, x: DVec3, v: DVec3) -> Vec<Invariant> {
         let kinetic = 0.5 * v.length_squared();
         let [potential, size] = self.potential(x);
@@ -185,8 +185,8 @@ impl Law for Sources {
     }
 }
 
-/// Sources whose force acts over the path's length, whatever the speed: dx = v/|v|, dv = −Σ strength · d(r) n̂. What G95's iteration
-/// comes to as its step, and with it M, goes to 0: another path than Newton's.
+/// Sources whose force acts over the arc length at any speed: dx = v/|v|, dv = −Σ strength · d(r) n̂. This is the limit of G95's iteration
+/// as its step, and with it M, approaches 0. The paths differ from Newtonian ones.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ByLength(pub Sources);
 
@@ -208,7 +208,7 @@ impl Law for ByLength {
         self.0.captures(clearance)
     }
 
-    /// |v| + V.
+    /// Returns the constant of motion |v| + V.
     fn invariants(&self, x: DVec3, v: DVec3) -> Vec<Invariant> {
         let [potential, size] = self.0.potential(x);
         vec![Invariant { name: "|v| + V", value: v.length() + potential, size: v.length() + size }]

@@ -1,4 +1,4 @@
-//! Straight lines: what other laws are compared with (G95 images 1, 2, 11; W04 Fig. 4a).
+//! Straight rays, as the baseline of other laws (G95 images 1, 2, 11; W04 Fig. 4a).
 
 use std::sync::Arc;
 
@@ -10,7 +10,7 @@ use crate::model::{STRAIGHT, Wgsl};
 
 pub static KIND: Kind = Kind { name: "straight", keys: &[], read: |_, _| Some(Arc::new(Straight)) };
 
-/// Straight lines.
+/// The law of straight rays.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Straight;
 
@@ -29,7 +29,7 @@ impl Law for Straight {
         }
     }
 
-    /// Flat.
+    /// Returns the flat metric.
     fn metric(&self, _: DVec3, _: f64) -> Option<DMat4> {
         Some(DMat4::from_diagonal(DVec4::new(1.0, 1.0, 1.0, -1.0)))
     }

@@ -1,11 +1,11 @@
-//! What a law says that it keeps is kept, by an acceleration that is written anew.
+//! Tests of the constants of motion of laws, with an independent implementation of the acceleration.
 
 use super::*;
 use crate::model::falloff::Falloff;
 use crate::model::medium::{Fisheye, Sech};
 use crate::model::{Anchor, Source};
 
-/// Along a tiny step of the law's own motion, what it keeps changes by the square of the step.
+/// Checks that constants of motion change by the square of a tiny step along the law's motion.
 #[test]
 fn invariants_are_kept() {
     let source = |position, strength, falloff: Option<Falloff>| {
@@ -45,7 +45,7 @@ fn acceleration(law: &dyn Law, x: DVec3, v: DVec3) -> DVec3 {
     } else if let Some(Sources(sources)) = law.downcast() {
         sources.iter().map(|source| pull(source, x)).sum()
     } else if let Some(InMedium(medium)) = law.downcast() {
-        // The slope of n²/2; its own error, some 1e-10, is far under what is asked for.
+        // The derivative of n²/2; its error of about 1e-10 is far below the tolerance.
         let half_square = |x: DVec3| 0.5 * medium.index(x).unwrap().powi(2);
         let slope = |axis: DVec3| (half_square(x + 1e-5 * axis) - half_square(x - 1e-5 * axis)) / 2e-5;
         DVec3::from_array(DVec3::AXES.map(slope))

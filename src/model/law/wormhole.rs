@@ -1,11 +1,11 @@
-//! A wormhole: a throat that joins two places.
+//! A wormhole: a throat that connects two regions.
 //!
-//! *Theory.* ds² = −dt² + dl² + r(l)² dΩ² (Ellis 1973; James, von Tunzelmann, Franklin and Thorne 2015, eqs. 1 and 5), l from −∞ on the other
-//! side to ∞ on this one. Time goes on everywhere as far away: light takes the shortest way of space alone.
+//! *Theory.* ds² = −dt² + dl² + r(l)² dΩ² (Ellis 1973; James, von Tunzelmann, Franklin and Thorne 2015, eqs. 1 and 5), with l from −∞ on
+//! the other side to ∞ on this side. There is no time dilation, so that light follows spatial geodesics.
 //!
-//! *Practice.* Each side is drawn round a mouth of its own, as x = R n̂ with R = ρ₀ + |l|: so both are in the same coordinates, objects on either
-//! side are objects like any other, and no ray has to know where it is. A little beyond the throat is a surface that rays go on from,
-//! which [`Facts::throat`] has the scene put round each mouth; and there is a bounding sphere round each.
+//! *Practice.* Each side has coordinates around a separate mouth, x = R n̂ with R = ρ₀ + |l|. Both sides therefore use one coordinate
+//! system, objects on either side need no special treatment, and no ray has to store its side. Slightly below the throat is a surface from
+//! which rays continue. The scene places it around each mouth because of [`Facts::throat`], and has a bounding sphere around each.
 
 use std::sync::Arc;
 
@@ -46,23 +46,23 @@ pub static KIND: Kind = Kind {
     },
 };
 
-/// A throat that joins two places.
+/// A throat that connects two regions.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Wormhole {
-    /// ρ₀, scene units.
+    /// The radius ρ₀ of the throat, in scene units.
     pub radius: f64,
-    /// 2a, over which the throat is a tube.
+    /// The length 2a over which the throat is a cylinder.
     pub length: f64,
-    /// M, by which it opens; none for Ellis's throat.
+    /// The mass M, which determines the opening of the mouth; `None` for an Ellis wormhole.
     pub mass: Option<f64>,
-    /// The mouth on this side.
+    /// The position of the mouth on this side.
     pub center: DVec3,
-    /// The mouth on the other side.
+    /// The position of the mouth on the other side.
     pub other: DVec3,
 }
 
 impl Wormhole {
-    /// r at a proper distance from the throat.
+    /// Returns r at a proper distance from the throat.
     #[must_use]
     pub fn width(&self, l: f64) -> f64 {
         let Some(mass) = self.mass else { return self.radius.hypot(l) };
@@ -74,7 +74,7 @@ impl Wormhole {
         Throat::new([self.center, self.other], self.radius)
     }
 
-    /// The direction outwards, and r over the distance at which it is drawn.
+    /// Returns the outward direction, and the ratio of r to the coordinate distance.
     fn drawn(&self, x: DVec3) -> (DVec3, f64) {
         let d = self.joint().offset(x).0;
         let away = d.length();
@@ -111,7 +111,7 @@ impl Law for Wormhole {
         }
     }
 
-    /// The speed of light, and L/E = r v⊥ r/R.
+    /// Returns the speed of light, and L/E = r v⊥ r/R.
     fn invariants(&self, x: DVec3, v: DVec3) -> Vec<Invariant> {
         let (n, wider) = self.drawn(x);
         let away = self.joint().offset(x).0.length();

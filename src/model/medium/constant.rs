@@ -1,4 +1,4 @@
-//! n everywhere, given as a number or by the name of a common medium.
+//! A constant index n, given as a number or by the name of a common medium.
 
 use std::sync::Arc;
 
@@ -16,7 +16,7 @@ pub static KIND: Kind = Kind {
     read: |table, _, _| Some(Arc::new(Constant::read(table)?)),
 };
 
-/// The indices of common media (thesis Table 1), by the names that a scene file may write for them.
+/// The indices of common media (T Table 1), with their names in a scene file.
 pub const COMMON: [(&str, f64); 11] = [
     ("vacuum", 1.0),
     ("air", 1.0003),
@@ -32,9 +32,9 @@ pub const COMMON: [(&str, f64); 11] = [
 ];
 
 fields! {
-    /// n everywhere.
+    /// A constant index of refraction.
     Constant(table: &TableReader) {
-        /// n.
+        /// The index n.
         n: f64 as Float = table.required("n", "1.5", positive),
     }
 }

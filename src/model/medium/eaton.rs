@@ -1,4 +1,4 @@
-//! Eaton's lens: n² = 2R/r − 1. It sends every ray back to where it came from.
+//! The Eaton lens, n² = 2R/r − 1, which is a retroreflector.
 
 use std::sync::Arc;
 
@@ -15,11 +15,11 @@ pub static KIND: Kind = Kind {
 };
 
 fields! {
-    /// n² = 2R/r − 1.
+    /// The Eaton lens, n² = 2R/r − 1.
     Eaton(table: &TableReader, around: Surroundings) {
-        /// Where r is 0, and n infinite.
+        /// The point r = 0, where n is infinite.
         center: DVec3 as Vec3 = Some(center(table, around)),
-        /// R.
+        /// The radius R.
         radius: f64 as Float = length(table, "radius", "1", around),
     }
 }

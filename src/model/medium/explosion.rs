@@ -29,17 +29,17 @@ pub static KIND: Kind = Kind {
 fields! {
     /// Noise in a ball.
     Explosion(table: &TableReader, around: Surroundings) {
-        /// Center c of the disturbed region.
+        /// The center c of the disturbed region.
         center: DVec3 as Vec3 = Some(center(table, around)),
-        /// Its radius R: outside n = 1.
+        /// The radius R, outside which n = 1.
         radius: f64 as Float = length(table, "radius", "3", around),
-        /// In (−0.5, 0.5), so that n stays positive.
+        /// The amplitude, in (−0.5, 0.5), so that n stays positive.
         amplitude: f64 as Float = table.required("amplitude", "0.1", number_where("a number between -0.5 and 0.5", |x| x.abs() < 0.5)),
-        /// Lattice cells a unit length.
+        /// The number of lattice cells per unit length.
         frequency: f64 as Float = table.required("frequency", "1", positive),
-        /// Terms of the sum, 1 to 8.
+        /// The number of terms of the sum, 1 to 8.
         octaves: u32 as Uint = Some(table.or("octaves", 1, whole(1..=8))),
-        /// Chooses the lattice's values.
+        /// The seed of the lattice values.
         seed: u32 as Uint = Some(table.or("seed", 0, whole(0..=u32::MAX))),
     }
 }

@@ -1,4 +1,4 @@
-//! Exponential air: n = 1 + δ e^(−y/H), y the height over the origin.
+//! An exponential atmosphere: n = 1 + δ e^(−y/H), where y is the height above the origin.
 
 use std::sync::Arc;
 
@@ -22,15 +22,15 @@ pub static KIND: Kind = Kind {
 };
 
 fields! {
-    /// n = 1 + δ e^(−y/H).
+    /// The exponential atmosphere, n = 1 + δ e^(−y/H).
     Exponential(table: &TableReader, around: Surroundings) {
-        /// Where y is 0.
+        /// The point y = 0.
         origin: DVec3 as Vec3 = Some(origin(table, around)),
-        /// Along which y grows, a unit vector.
+        /// The unit vector along which y grows.
         up: DVec3 as Vec3 = Some(up(table)),
-        /// n − 1 at the origin. Below −1 the index would be negative there.
+        /// The value of n − 1 at the origin, which must be above −1 for a positive index.
         delta: f64 as Float = table.required("delta", "0.00029", number_where("a number above -1, other than 0", |delta| delta > -1.0 && delta != 0.0)),
-        /// H.
+        /// The scale height H.
         height: f64 as Float = table.required("height", "8000", positive),
     }
 }

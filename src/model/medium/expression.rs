@@ -1,4 +1,4 @@
-//! What the user writes for n, in x, y, z and r; its gradient is derived.
+//! A user-defined formula of n in x, y, z and r; its gradient is derived.
 
 use std::sync::Arc;
 
@@ -24,13 +24,13 @@ pub static KIND: Kind = Kind {
 };
 
 fields! {
-    /// A formula.
+    /// A medium defined by a formula.
     Expression(table: &TableReader, around: Surroundings) {
-        /// Where x, y, z and r are 0.
+        /// The origin of x, y, z and r.
         center: DVec3 as Vec3 = Some(center(table, around)),
-        /// The length over which it changes.
+        /// The length over which n changes.
         scale: f64 as Float = Some(table.or("scale", around.radius.unwrap_or(1.0), positive)),
-        /// n of the place relative to the center. It may have no value, or none above 0, at some places: rays fail there.
+        /// The formula of n relative to the center. Rays fail where it has no positive value.
         n: Formula = table.required_node("n", "\"1 + 0.1 * exp(-r^2)\"").and_then(|node| formula(table, node)),
     }
 }

@@ -1,4 +1,4 @@
-//! Maxwell's fisheye: n = n₀/(1 + r²/a²). Paths are circles.
+//! The Maxwell fisheye lens, n = n₀/(1 + r²/a²), with circular paths.
 
 use std::sync::Arc;
 
@@ -21,13 +21,13 @@ pub static KIND: Kind = Kind {
 };
 
 fields! {
-    /// n = n₀/(1 + r²/a²).
+    /// The Maxwell fisheye lens, n = n₀/(1 + r²/a²).
     Fisheye(table: &TableReader, around: Surroundings) {
-        /// Where r is 0.
+        /// The point r = 0.
         center: DVec3 as Vec3 = Some(center(table, around)),
         /// The index at the center.
         n0: f64 as Float = Some(table.or("n0", 2.0, positive)),
-        /// Where the index is half of that.
+        /// The radius at which the index is half the index at the center.
         a: f64 as Float = length(table, "a", "1", around),
     }
 }

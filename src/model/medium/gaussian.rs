@@ -22,11 +22,11 @@ pub static KIND: Kind = Kind {
 };
 
 fields! {
-    /// n = a e^(−b r²/R²).
+    /// The Gaussian ball, n = a e^(−b r²/R²).
     Gaussian(table: &TableReader, around: Surroundings) {
-        /// Where r is 0.
+        /// The point r = 0.
         center: DVec3 as Vec3 = Some(center(table, around)),
-        /// R.
+        /// The radius R.
         radius: f64 as Float = length(table, "radius", "1", around),
         /// The index at the center.
         a: f64 as Float = table.required("a", "1.4", positive),

@@ -1,38 +1,38 @@
-//! How rough the surface of a clear object is.
+//! The roughness of a transparent object's surface.
 //!
-//! *Theory.* A smooth surface has two rays, by Fresnel's law and Snell's. A rough one spreads both: the thesis (2.2.3) by lobes about
-//! them, whose light below the surface is lost; Walter et al. (2007) by microfacets, each a smooth surface, of which
-//! only that is lost which would be scattered twice.
+//! *Theory.* A smooth surface has two rays, by the Fresnel equations and Snell's law. A rough surface spreads both. T 2.2.3 uses lobes
+//! around them, and loses light that the lobes send to the wrong side. Walter et al. (2007) use microfacets, each a smooth surface, and
+//! lose only light that would be scattered twice.
 //!
-//! *Practice.* Each has a part of its own in `shaders/surface/scatter/`, which chooses one direction a sample.
+//! *Practice.* Each model has a module in `shaders/surface/scatter/`, which samples one direction.
 
 use crate::document::reader::TableReader;
 use crate::document::values::{number_where, positive};
 
 use crate::model::{Row, row};
 
-/// How rough the surface of a clear object is.
+/// The roughness of a transparent object's surface.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub enum Gloss {
-    /// Not at all.
+    /// A smooth surface.
     #[default]
     Smooth,
-    /// Lobes as dense as cosᵉ about the smooth surface's two rays: the exponents, none where one is smooth.
+    /// Lobes with a density cosᵉ around the smooth surface's two rays; an exponent is `None` for a smooth ray.
     Lobes {
-        /// Of what is reflected.
+        /// The exponent of the reflection lobe.
         reflect: Option<f64>,
-        /// Of what goes through.
+        /// The exponent of the transmission lobe.
         transmit: Option<f64>,
     },
-    /// Facets whose slopes are spread by the law of Trowbridge and Reitz (GGX).
+    /// Microfacets with a Trowbridge–Reitz (GGX) slope distribution.
     Microfacets {
-        /// Its width a, about the slope of most facets.
+        /// The width a of the distribution, which is about the slope of most facets.
         roughness: f64,
     },
 }
 
 impl Gloss {
-    /// The name of the WGSL part that sends rays on from it.
+    /// Returns the name of the WGSL module that scatters rays at the surface.
     #[must_use]
     pub fn part(self) -> &'static str {
         match self {
@@ -42,7 +42,7 @@ impl Gloss {
         }
     }
 
-    /// The members of its `Material` in WGSL that are its own.
+    /// Returns the members of its `Material` in WGSL that only this surface has.
     #[must_use]
     pub fn values(self) -> Row {
         match self {
@@ -56,7 +56,7 @@ impl Gloss {
     }
 }
 
-/// The keys of an interior that belong to its surface.
+/// Reads the keys of an interior that describe its surface.
 pub(super) fn read(table: &TableReader) -> Gloss {
     let [reflect, transmit] = ["reflect_exponent", "transmit_exponent"].map(|key| table.optional(key, positive));
     let fraction = number_where("a number above 0, at most 1", |x| x > 0.0 && x <= 1.0);

@@ -1,4 +1,4 @@
-//! Samples of the index, from an NRRD or raw file, with a Catmull–Rom spline between them.
+//! A sampled index of refraction from an NRRD or raw file, interpolated by a Catmull–Rom spline.
 
 use std::sync::Arc;
 
@@ -28,7 +28,7 @@ pub static KIND: Kind = Kind {
     read: |table, _, files| Some(Arc::new(Grid(samples(table, files)?))),
 };
 
-/// `file`, and what it does not say itself.
+/// Reads `file`, and the metadata that the file does not contain.
 fn samples(table: &TableReader, files: &mut Files) -> Option<Arc<IndexGrid>> {
     let file = table.required_node("file", "\"index.nrrd\"");
     let (min, max) = (table.optional("min", vector), table.optional("max", vector));
@@ -57,7 +57,7 @@ fn bare(table: &TableReader) -> Option<Bare> {
     Some(Bare { size: size?, stored: stored?, little })
 }
 
-/// Are both there, and in order, or neither?
+/// Returns `true` if both corners are present and ordered, or if both are missing.
 fn corners_fit(table: &TableReader, min: Option<DVec3>, max: Option<DVec3>) -> bool {
     if table.gives("min") != table.gives("max") {
         table.fault(&["min", "max"], "`min` and `max` go together", "");
@@ -73,7 +73,7 @@ fn corners_fit(table: &TableReader, min: Option<DVec3>, max: Option<DVec3>) -> b
     fit
 }
 
-/// Samples.
+/// A sampled index of refraction.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Grid(pub Arc<IndexGrid>);
 

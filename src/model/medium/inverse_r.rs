@@ -1,4 +1,4 @@
-//! n = k/r (thesis Eq. 17): paths are logarithmic spirals.
+//! The medium n = k/r (T Eq. 17), in which paths are logarithmic spirals.
 
 use std::sync::Arc;
 
@@ -24,28 +24,28 @@ pub static KIND: Kind = Kind {
 };
 
 fields! {
-    /// n = k/r.
+    /// The medium n = k/r.
     InverseR(table: &TableReader, around: Surroundings) {
-        /// Where r is 0, and n infinite.
+        /// The point r = 0, where n is infinite.
         center: DVec3 as Vec3 = Some(center(table, around)),
-        /// k; by default n = 1 at the surface.
+        /// The constant k; by default n = 1 at the surface.
         k: f64 as Float = length(table, "k", "4", around),
-        /// What becomes of rays that go in.
+        /// The treatment of ingoing rays.
         ingoing: Ingoing = Some(table.or("ingoing", Ingoing::Black, word(&[("black", Ingoing::Black), ("continue", Ingoing::Continued)]))),
     }
 }
 
-/// What becomes of rays that move towards the center.
+/// The treatment of rays that move towards the center.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Ingoing {
-    /// They wind into the center and are captured there.
+    /// Rays spiral into the center and are captured there.
     Black,
-    /// They are taken for outgoing ones: |d·b| stands for d·b (thesis Figs. 43 and 46).
+    /// Rays are treated as outgoing, with |d·b| instead of d·b (T Figs. 43 and 46).
     Continued,
 }
 
 impl InverseR {
-    /// Rays that come this near to the middle never come back: there n is 10⁴.
+    /// Returns the radius where n is 10⁴, below which rays never return.
     fn capture_radius(&self) -> f64 {
         1e-4 * self.k
     }

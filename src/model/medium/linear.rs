@@ -1,4 +1,4 @@
-//! n² = n₀² + gradient · (x − origin): paths are parabolas (Evans and Rosenquist 1985).
+//! The medium n² = n₀² + gradient · (x − origin), in which paths are parabolas (Evans and Rosenquist 1985).
 
 use std::sync::Arc;
 
@@ -21,18 +21,18 @@ pub static KIND: Kind = Kind {
 };
 
 fields! {
-    /// n² = n₀² + gradient · (x − origin).
+    /// The medium n² = n₀² + gradient · (x − origin).
     Linear(table: &TableReader, around: Surroundings) {
-        /// Where the index is n₀.
+        /// The point where the index is n₀.
         origin: DVec3 as Vec3 = Some(origin(table, around)),
-        /// n₀.
+        /// The index n₀ at the origin.
         n0: f64 as Float = Some(table.or("n0", 1.0, positive)),
-        /// Of n².
+        /// The gradient of n².
         gradient: DVec3 as Vec3 = table.required("gradient", "[0, 0.02, 0]", gradient),
     }
 }
 
-/// Without one the index would be constant.
+/// Reads a gradient that is not zero, because the index would otherwise be constant.
 fn gradient(node: &Node) -> Read<DVec3> {
     let gradient = vector(node)?;
     let none = || Err(node.fault("without a gradient the index is constant", "use kind = \"constant\""));

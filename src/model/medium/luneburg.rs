@@ -1,4 +1,4 @@
-//! Luneburg's lens, generalized: n = √(C − r²/R²) (thesis Eq. 16). Paths are harmonic.
+//! The generalized Luneburg lens, n = √(C − r²/R²) (T Eq. 16), in which paths are harmonic.
 
 use std::sync::Arc;
 
@@ -17,13 +17,13 @@ pub static KIND: Kind = Kind {
 };
 
 fields! {
-    /// n = √(C − r²/R²).
+    /// The generalized Luneburg lens, n = √(C − r²/R²).
     Luneburg(table: &TableReader, around: Surroundings) {
-        /// Where r is 0.
+        /// The point r = 0.
         center: DVec3 as Vec3 = Some(center(table, around)),
-        /// R.
+        /// The radius R.
         radius: f64 as Float = length(table, "radius", "1", around),
-        /// C ≥ 2.
+        /// The constant C ≥ 2.
         c: f64 as Float = Some(table.or("c", 2.0, number_where("a number of 2 or more", |c| c >= 2.0))),
     }
 }

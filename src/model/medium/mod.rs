@@ -1,9 +1,9 @@
-//! Media: how the index of refraction n varies with place. The contract, and the table of kinds.
+//! Media, which define the index of refraction n over space: the contract and the table of kinds.
 //!
-//! *Theory.* Light in a medium moves by dx = v, dv = ∇(n²/2) with |v| = n. The WGSL contract is `medium_index(x)`,
-//! `medium_pull(x)` = ∇(n²/2) and `medium_length(x)`, the length over which n changes; media whose paths have a closed form name it.
+//! *Theory.* Light in a medium moves by dx = v, dv = ∇(n²/2) with |v| = n. The WGSL contract is `medium_index(x)`, `medium_pull(x)` =
+//! ∇(n²/2) and `medium_length(x)`, the length over which n changes. Media with closed-form paths name the closed form.
 //!
-//! *Practice.* [`KINDS`] names each kind once. Adding one is a WGSL file, a file here and a line of that table.
+//! *Practice.* [`KINDS`] lists each kind once. To add a kind, add a WGSL file, a file here and a line of that table.
 
 mod constant;
 mod eaton;
@@ -55,11 +55,11 @@ pub use sech::Sech;
 pub use sellmeier::{D_LINE, Sellmeier, VISIBLE};
 pub use textured::Textured;
 
-/// Reads a medium; none if it cannot be used.
+/// Reads a medium; returns `None` after an error.
 type Read = fn(&TableReader, Surroundings, &mut Files) -> Option<Arc<dyn Medium>>;
 type Kind = document::Kind<Read>;
 
-/// Every kind of medium. Adding one is a line here.
+/// The table of all media; a new kind needs one line here.
 pub static KINDS: Kinds<Read> = Kinds {
     table: "medium",
     chooser: "kind",
@@ -88,72 +88,73 @@ pub static KINDS: Kinds<Read> = Kinds {
     ],
 };
 
-/// What is where nothing else is.
+/// The medium outside of all others.
 pub const VACUUM: Constant = Constant { n: 1.0 };
 
-/// What is known of a medium whatever the place.
+/// The properties of a medium that do not depend on position.
 #[derive(Debug, Clone, Default)]
 pub struct Facts<'a> {
-    /// The WGSL that keeps the contract.
+    /// The WGSL modules that implement the contract.
     pub parts: Vec<Wgsl>,
-    /// Its paths in closed form, if they have one.
+    /// The closed form of the paths, if there is one.
     pub closed_form: Option<&'static ClosedForm>,
-    /// Is the index another for each wavelength?
+    /// Is `true` if the index depends on wavelength.
     pub is_dispersive: bool,
-    /// Does the index vary over surfaces alone, so that it can be no law's?
+    /// Is `true` if the index varies over surfaces alone, so that no law can use the medium.
     pub is_of_surfaces: bool,
-    /// Where rays end in it.
+    /// The region in which rays end, if there is one.
     pub capture: Option<Capture>,
-    /// The center about which a path in closed form leaves a ball as it came in.
+    /// The center of a ball that a closed-form path leaves symmetrically to its entry.
     pub center: Option<DVec3>,
-    /// The sphere at which its formula ends, if there is one: center and radius.
+    /// The center and radius of the sphere where the formula ends, if there is one.
     pub edge: Option<(DVec3, f64)>,
-    /// How many terms one evaluation of the index with its gradient adds up, each about as long as a simple medium.
+    /// The number of terms of an evaluation of the index and its gradient, each about as expensive as a simple medium.
     pub terms: u32,
-    /// A formula that the index is written by, to be turned into WGSL with its gradient.
+    /// The formula of the index, from which WGSL with a gradient is generated.
     pub formula: Option<&'a Formula>,
-    /// Numbers of the list `index_samples`.
+    /// The elements of the list `index_samples`.
     pub samples: &'a [f32],
 }
 
 impl Facts<'_> {
-    /// Returns the facts of a medium without a closed form, by these parts of `shaders/`.
+    /// Returns the properties of a medium without a closed form, with these modules of `shaders/`.
     #[must_use]
     pub fn of(parts: &[&'static str]) -> Self {
         Self { parts: Wgsl::parts(parts), terms: 1, ..Self::default() }
     }
 
-    /// Returns its paths in closed form, if they have one; `ends` where they end at a given τ, which is not what all are measured by.
+    /// Returns the closed form of the paths, if there is one; `ends` if paths end at a given τ, which not every motion measures.
     #[must_use]
     pub fn closed_form(&self, ends: bool) -> Option<&'static ClosedForm> {
         self.closed_form.filter(|form| !ends || form.ends())
     }
 
-    /// Returns `true` if light is bent in it.
+    /// Returns `true` if the medium bends light.
     #[must_use]
     pub fn bends(&self) -> bool {
         self.closed_form.is_none_or(|form| !form.is_line)
     }
 }
 
-/// An index of refraction over space, in scene coordinates. Spherical media are functions of r, the distance from their center.
+/// An index of refraction over space, in scene coordinates. Spherical media depend on r, the distance from their center.
 pub trait Medium: fmt::Debug + Send + Sync + Same {
-    /// What is known of it whatever the place.
+    /// Returns the properties that do not depend on position.
     fn facts(&self) -> Facts<'_>;
 
-    /// The members of its `Medium` in WGSL. What it has in lists for all media begins at `first` there.
+    /// Returns the members of its `Medium` in WGSL. `first` is the index of its first element in lists shared by all media.
     fn values(&self, first: u32) -> Row;
 
-    /// n at a place; 0 where a formula's n² is not positive, and no light comes; none where only the shaders know.
+    /// Returns n at a position: 0 if a formula's n² is not positive, so that no light reaches it, and `None` if only the shaders can
+    /// compute n.
     fn index(&self, x: DVec3) -> Option<f64>;
 
-    /// Returns why the index is not known for light of this wavelength, in nanometers; `None` where it is.
+    /// Returns why the index is unknown for this wavelength in nanometers, or `None` if it is known.
     fn refuses_wavelength(&self, wavelength: f64) -> Option<String> {
         let _ = wavelength;
         None
     }
 
-    /// Rows of the list `profile`.
+    /// Returns the rows of the list `profile`.
     fn points(&self) -> Vec<Row> {
         Vec::new()
     }
@@ -161,21 +162,21 @@ pub trait Medium: fmt::Debug + Send + Sync + Same {
 
 same!(Medium);
 
-/// What an object is filled with: light goes through it.
+/// The interior of a transparent object.
 #[derive(Debug, Clone)]
 pub struct Interior {
-    /// Its index.
+    /// The medium.
     pub medium: Arc<dyn Medium>,
-    /// What it takes from light, or adds to it.
+    /// The absorption and emission.
     pub filter: Option<Box<Filter>>,
-    /// How rough its surface is.
+    /// The roughness of the surface.
     pub gloss: Gloss,
-    /// Where interiors overlap, the one of the higher priority is there.
+    /// The priority; where interiors overlap, the one with the higher priority wins.
     pub priority: u32,
 }
 
 impl Interior {
-    /// A medium by itself.
+    /// Creates an interior from a medium alone.
     #[must_use]
     pub fn new(medium: Arc<dyn Medium>) -> Self {
         Self { medium, filter: None, gloss: Gloss::default(), priority: 0 }
@@ -191,36 +192,36 @@ impl PartialEq for Interior {
     }
 }
 
-/// What a medium's own keys default to: the place and size of the object that it fills.
+/// The defaults of a medium's keys, from the placement of the object that it fills.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct Surroundings {
-    /// The object's middle; the origin for a medium that fills all space.
+    /// The center of the object; the origin for a medium that fills all of space.
     pub center: DVec3,
-    /// Of a sphere or cylinder.
+    /// The radius of a sphere or cylinder.
     pub radius: Option<f64>,
-    /// Of a cylinder.
+    /// The axis of a cylinder.
     pub axis: Option<DVec3>,
 }
 
-/// `center`.
+/// The key `center`.
 const CENTER: Key = keys! {
     center: "[x, y, z]" = "the object's, or [0, 0, 0]",
         "point of r = 0, a point on the axis of the rod, or the origin of the noise lattice; scene units";
 }[0];
-/// `radius`.
+/// The key `radius`.
 const RADIUS: Key = keys! { radius: "number above 0" = "the object's, or required", "R, scene units"; }[0];
-/// `origin`.
+/// The key `origin`.
 const ORIGIN: Key = keys! {
     origin: "[x, y, z]" = "the object's center, or [0, 0, 0]", "a point of height 0";
 }[0];
-/// `up`.
-const UP: Key = keys! { up: "[x, y, z]" = "[0, 1, 0]", "direction of increasing height"; }[0];
+/// The key `up`.
+const UP: Key = keys! { up: "[x, y, z]" = "[0, 1, 0]", "where height grows"; }[0];
 
 fn center(table: &TableReader, around: Surroundings) -> DVec3 {
     table.or("center", around.center, vector)
 }
 
-/// A length that is the object's radius, if that has one.
+/// Reads a length that defaults to the object's radius, if it has one.
 fn length(table: &TableReader, key: &'static str, example: &str, around: Surroundings) -> Option<f64> {
     match around.radius {
         Some(radius) => Some(table.or(key, radius, positive)),
@@ -236,12 +237,12 @@ fn up(table: &TableReader) -> DVec3 {
     table.or("up", DVec3::Y, direction)
 }
 
-/// √ of what is positive, else 0.
+/// Returns the square root of a positive number, and otherwise 0.
 fn root(square: f64) -> f64 {
     square.max(0.0).sqrt()
 }
 
-/// The medium that a node gives: a number, a name, or a table with a `kind`.
+/// Reads a medium from a node: a number, a name, or a table with a `kind`.
 pub(crate) fn read(
     parent: &TableReader,
     node: &Node,
@@ -259,7 +260,7 @@ pub(crate) fn read(
     }
 }
 
-/// What an object is filled with: a medium, and in its table what belongs to interiors alone.
+/// Reads an interior: a medium, and in its table the keys of interiors alone.
 pub(crate) fn read_interior(
     parent: &TableReader,
     node: &Node,
@@ -281,7 +282,7 @@ pub(crate) fn read_interior(
     Some(Interior { filter, gloss, ..Interior::new(medium?) })
 }
 
-/// A medium without a table: a number or a name.
+/// Reads a medium without a table: a number or a name.
 fn named(parent: &TableReader, node: &Node) -> Option<Arc<dyn Medium>> {
     let reader = parent.reader;
     match &node.value {

@@ -1,4 +1,4 @@
-//! Noise everywhere (thesis §2.4): n = n₀ + amplitude · Σ 2⁻ʲ noise(2ʲ · frequency · (x − c)).
+//! Noise everywhere (T §2.4): n = n₀ + amplitude · Σ 2⁻ʲ noise(2ʲ · frequency · (x − c)).
 
 use std::sync::Arc;
 
@@ -10,17 +10,17 @@ use crate::document::values::{number, positive, whole};
 use crate::document::{Key, keys};
 use crate::model::{Row, fields};
 
-/// `amplitude` of a sum about n₀.
+/// The key `amplitude` of a sum around n₀.
 pub(super) const AMPLITUDE: Key = keys! {
     amplitude: "number" = "required",
         "amplitude of the noise, which reaches 125/64 · (2 − 2^(1 − octaves)) times this; n must stay above 0; textured: index at the surface, with straight paths inside";
 }[0];
-/// `frequency`.
-pub(super) const FREQUENCY: Key = keys! { frequency: "number above 0" = "required", "lattice cells per unit"; }[0];
-/// `octaves`.
-pub(super) const OCTAVES: Key = keys! { octaves: "whole number, 1 to 8" = "1", "number of octaves of the noise"; }[0];
-/// `seed`.
-pub(super) const SEED: Key = keys! { seed: "whole number" = "0", "seed of the noise"; }[0];
+/// The key `frequency`.
+pub(super) const FREQUENCY: Key = keys! { frequency: "number above 0" = "required", "lattice cells a unit length"; }[0];
+/// The key `octaves`.
+pub(super) const OCTAVES: Key = keys! { octaves: "whole number, 1 to 8" = "1", "terms of the noise"; }[0];
+/// The key `seed`.
+pub(super) const SEED: Key = keys! { seed: "whole number" = "0", "chooses the noise"; }[0];
 
 pub static KIND: Kind = Kind {
     name: "noise",
@@ -38,24 +38,24 @@ pub static KIND: Kind = Kind {
 };
 
 fields! {
-    /// A fractal sum of noise about n₀.
+    /// A fractal sum of noise around n₀.
     Noise(table: &TableReader, around: Surroundings, about: f64) {
-        /// c, a point of the lattice.
+        /// The lattice point c.
         center: DVec3 as Vec3 = Some(center(table, around)),
-        /// n₀.
+        /// The mean index n₀.
         n0: f64 as Float = Some(about),
-        /// So small that n stays positive.
+        /// The amplitude, small enough that n stays positive.
         amplitude: f64 as Float = table.required("amplitude", "0.1", number),
-        /// Lattice cells a unit length.
+        /// The number of lattice cells per unit length.
         frequency: f64 as Float = table.required("frequency", "1", positive),
-        /// Terms of the sum, 1 to 8.
+        /// The number of terms of the sum, 1 to 8.
         octaves: u32 as Uint = octaves(table, about, amplitude),
-        /// Chooses the lattice's values.
+        /// The seed of the lattice values.
         seed: u32 as Uint = Some(table.or("seed", 0, whole(0..=u32::MAX))),
     }
 }
 
-/// The terms of the sum, if n stays above 0 with so many.
+/// Reads the number of terms, and checks that n stays positive.
 fn octaves(table: &TableReader, n0: f64, amplitude: Option<f64>) -> Option<u32> {
     let octaves = table.or("octaves", 1, whole(1..=8));
     let (amplitude, reach) = (amplitude.unwrap_or(0.0).abs(), Noise::reach(octaves));
@@ -63,7 +63,7 @@ fn octaves(table: &TableReader, n0: f64, amplitude: Option<f64>) -> Option<u32> 
         return Some(octaves);
     }
     let problem = format!("n could fall to {:.4}, and must stay above 0", n0 - amplitude * reach);
-    // Rounded down, and never to n₀/reach itself.
+    // Rounded down, and always below n₀/reach.
     let most = ((n0 / reach * 1e3).ceil() - 1.0) / 1e3;
     let help = format!("so much noise goes up to {reach} times its amplitude: {most} would do");
     table.fault(&["amplitude"], problem, help);
@@ -71,14 +71,14 @@ fn octaves(table: &TableReader, n0: f64, amplitude: Option<f64>) -> Option<u32> 
 }
 
 impl Noise {
-    /// What the sum of so many octaves stays within: at the middle of a cell a Catmull–Rom spline through values of ±1 reaches 5/4,
-    /// and three of them, one along each axis, 125/64.
+    /// Returns a bound of the sum over these octaves: at the center of a cell, a Catmull–Rom spline through values of ±1 reaches 5/4, and
+    /// the product of three splines, one along each axis, 125/64.
     #[must_use]
     pub fn reach(octaves: u32) -> f64 {
         125.0 / 64.0 * (2.0 - 2.0_f64.powi(1 - octaves.cast_signed()))
     }
 
-    /// Its facts, by this part; four layers of points an octave.
+    /// Returns its properties with this module; the cost is four layers of lattice points per octave.
     pub(super) fn facts_by(&self, part: &'static str) -> Facts<'_> {
         Facts { terms: 5 * self.octaves, ..Facts::of(&[part, "medium/fractal_noise"]) }
     }

@@ -1,4 +1,4 @@
-//! Layered air: n by the height over the origin, through measured points.
+//! A layered atmosphere: n as a function of the height above the origin, interpolated between measured points.
 
 use std::sync::Arc;
 
@@ -28,7 +28,7 @@ pub static KIND: Kind = Kind {
     read: |table, around, files| Some(Arc::new(Layers::read(table, around, files)?)),
 };
 
-/// Points in the scene, or in a file.
+/// Reads the points of a profile from the scene or from a file.
 fn profile(table: &TableReader, files: &mut Files) -> Option<Arc<Profile>> {
     const CHOICES: &str = "file = \"air.csv\" or points = [[0, 1.00029], [8000, 1.0001]]";
     let (key, node) = table.required_one_of(&["points", "file"], CHOICES)?;
@@ -39,7 +39,7 @@ fn profile(table: &TableReader, files: &mut Files) -> Option<Arc<Profile>> {
         table.reader.fault(node.expected("points, [[height, n], ...]"));
         return None;
     };
-    // All are read before any is missed.
+    // All points are read before the first error returns, so that every error is reported.
     let points: Vec<Option<[f64; 2]>> = nodes.iter().map(|node| table.reader.accept(point(node))).collect();
     let points: Vec<[f64; 2]> = points.into_iter().collect::<Option<_>>()?;
     let flawed = |flaw: Flaw| {
@@ -49,26 +49,26 @@ fn profile(table: &TableReader, files: &mut Files) -> Option<Arc<Profile>> {
     Profile::through(&points).map_err(flawed).map(Arc::new).ok()
 }
 
-/// A height, and n above 0.
+/// Reads a height and a positive n.
 fn point(node: &Node) -> Read<[f64; 2]> {
     let point @ [_, n] = array("a point, [height, n]", number)(node)?;
     if n > 0.0 { Ok(point) } else { Err(node.fault(format!("n must be above 0, found {n}"), "")) }
 }
 
 fields! {
-    /// n by height.
+    /// A layered atmosphere.
     Layers(table: &TableReader, around: Surroundings, files: &mut Files) {
         /// A point of height 0.
         origin: DVec3 as Vec3 = Some(origin(table, around)),
-        /// Along which height grows, a unit vector.
+        /// The unit vector along which height grows.
         up: DVec3 as Vec3 = Some(up(table)),
-        /// n by height.
+        /// The index n as a function of height.
         profile: Arc<Profile> = profile(table, files),
     }
 }
 
 impl Medium for Layers {
-    /// The point below a height is found by halving.
+    /// Bisection finds the point below a height.
     fn facts(&self) -> Facts<'_> {
         let terms = self.profile.points.len().next_power_of_two().ilog2();
         Facts { terms, ..Facts::of(&["medium/profile"]) }

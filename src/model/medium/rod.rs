@@ -1,4 +1,4 @@
-//! A gradient rod: n = n₀ √(1 − g²ρ²), ρ the distance from its axis (Suffern and Getto 1991). Paths are sinusoidal.
+//! A gradient-index rod: n = n₀ √(1 − g²ρ²), where ρ is the distance from its axis (Suffern and Getto 1991). Paths are sinusoidal.
 
 use std::sync::Arc;
 
@@ -10,8 +10,8 @@ use crate::document::values::{direction, positive};
 use crate::document::{Key, keys};
 use crate::model::{HARMONIC, Row, fields};
 
-/// `n0` of media that have it on an axis or a plane.
-pub(super) const N0: Key = keys! { n0: "number above 0" = "required", "index on the axis, or on the plane"; }[0];
+/// The key `n0` of media with a reference index on an axis or a plane.
+pub(super) const N0: Key = keys! { n0: "number above 0" = "required", "the index on the axis, or on the plane"; }[0];
 
 pub static KIND: Kind = Kind {
     name: "rod",
@@ -25,15 +25,15 @@ pub static KIND: Kind = Kind {
 };
 
 fields! {
-    /// n = n₀ √(1 − g²ρ²).
+    /// The gradient-index rod, n = n₀ √(1 − g²ρ²).
     Rod(table: &TableReader, around: Surroundings) {
         /// A point of the axis.
         center: DVec3 as Vec3 = Some(center(table, around)),
-        /// The axis, a unit vector.
+        /// The unit vector of the axis.
         axis: DVec3 as Vec3 = Some(table.or("axis", around.axis.unwrap_or(DVec3::Z), direction)),
         /// The index on the axis.
         n0: f64 as Float = table.required("n0", "1.6", positive),
-        /// g.
+        /// The constant g.
         g: f64 as Float = table.required("g", "0.3", positive),
     }
 }

@@ -1,4 +1,4 @@
-//! n = n₀ sech(g y), y the distance from a plane.
+//! The medium n = n₀ sech(g y), where y is the distance from a plane.
 
 use std::sync::Arc;
 
@@ -18,15 +18,15 @@ pub static KIND: Kind = Kind {
 };
 
 fields! {
-    /// n = n₀ sech(g y).
+    /// The medium n = n₀ sech(g y).
     Sech(table: &TableReader, around: Surroundings) {
         /// A point of the plane.
         origin: DVec3 as Vec3 = Some(origin(table, around)),
-        /// Its unit normal.
+        /// The unit normal of the plane.
         up: DVec3 as Vec3 = Some(up(table)),
-        /// The index on it.
+        /// The index on the plane.
         n0: f64 as Float = table.required("n0", "1.5", positive),
-        /// g.
+        /// The constant g.
         g: f64 as Float = table.required("g", "1", positive),
     }
 }

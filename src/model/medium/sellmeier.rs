@@ -1,4 +1,4 @@
-//! n by Sellmeier's formula, n² = 1 + Σ B λ²/(λ² − C): the same everywhere, and another for each wavelength.
+//! The Sellmeier equation, n² = 1 + Σ B λ²/(λ² − C): n is constant over space and depends on wavelength.
 
 use std::ops::RangeInclusive;
 use std::sync::Arc;
@@ -22,11 +22,11 @@ pub static KIND: Kind = Kind {
     read: |table, _, _| read(table).map(|medium| Arc::new(medium) as Arc<dyn Medium>),
 };
 
-/// Terms, at most.
+/// The largest number of terms.
 const TERMS: usize = 4;
-/// Visible light, nanometers.
+/// The range of visible light, in nanometers.
 pub const VISIBLE: RangeInclusive<f64> = 380.0..=730.0;
-/// Helium's yellow line d, by which glasses are named, nanometers.
+/// The helium d line, at which glasses are specified, in nanometers.
 pub const D_LINE: f64 = 587.561_8;
 
 /// B and C of common glasses, as in the refractiveindex.info database: N-BK7 and N-SF11 from Schott's catalogue; silica (Malitson 1965,
@@ -54,7 +54,7 @@ static GLASSES: [(&str, Sellmeier); 5] = [
     ("diamond", glass([0.3306, 4.3356, 0.0, 0.0], [0.030_625, 0.011_236, 0.0, 0.0])),
 ];
 
-/// The wavelengths in nanometers for which they hold.
+/// The ranges of validity of the glasses, in nanometers.
 const RANGES: [RangeInclusive<f64>; 5] =
     [300.0..=2500.0, 370.0..=2500.0, 210.0..=6700.0, 182.0..=1129.0, 226.0..=760.0];
 
@@ -62,17 +62,17 @@ const fn glass(b: [f64; TERMS], c: [f64; TERMS]) -> Sellmeier {
     Sellmeier { b, c }
 }
 
-/// n² = 1 + Σ B λ²/(λ² − C).
+/// The Sellmeier equation, n² = 1 + Σ B λ²/(λ² − C).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Sellmeier {
-    /// B.
+    /// The coefficients B.
     pub b: [f64; TERMS],
-    /// C, square micrometers.
+    /// The coefficients C, in square micrometers.
     pub c: [f64; TERMS],
 }
 
 impl Sellmeier {
-    /// n² at a wavelength in nanometers.
+    /// Returns n² at a wavelength in nanometers.
     fn square(&self, wavelength: f64) -> f64 {
         let square = square_micrometres(wavelength);
         let terms = self.b.iter().zip(self.c).map(|(b, c)| b * square / (square - c));
@@ -80,7 +80,7 @@ impl Sellmeier {
     }
 }
 
-/// The square of a wavelength in nanometers.
+/// Returns the square of a wavelength in nanometers, in square micrometers.
 fn square_micrometres(wavelength: f64) -> f64 {
     (1e-3 * wavelength).powi(2)
 }
@@ -135,12 +135,12 @@ impl Medium for Sellmeier {
         row! { b: Vec4(DVec4::from_array(self.b)), c: Vec4(DVec4::from_array(self.c)) }
     }
 
-    /// At the yellow line d.
+    /// Returns the index at the d line.
     fn index(&self, _: DVec3) -> Option<f64> {
         Some(self.square(D_LINE).sqrt())
     }
 
-    /// A known glass has the range of its formula. Other numbers hold between the resonances about visible light.
+    /// A named glass is valid in the range of its data. Other coefficients are valid between the resonances around visible light.
     fn refuses_wavelength(&self, wavelength: f64) -> Option<String> {
         if let Some(((name, _), range)) = GLASSES.iter().zip(RANGES).find(|((_, medium), _)| medium == self) {
             let (from, to) = (range.start(), range.end());
@@ -163,7 +163,7 @@ impl Medium for Sellmeier {
 mod tests {
     use super::*;
 
-    /// At Fraunhofer's lines F, d and C, as catalogues have them.
+    /// Compares indices at the Fraunhofer lines F, d and C with catalogs.
     #[test]
     fn glasses_are_those_of_catalogues() {
         let lines = [486.132_7, D_LINE, 656.272_5];
@@ -181,7 +181,7 @@ mod tests {
         }
     }
 
-    /// Of infrared and ultraviolet light: Schott's data sheet of N-BK7, and Malitson's table.
+    /// Compares indices in the infrared and ultraviolet with Schott's data sheet of N-BK7 and with Malitson's table.
     #[test]
     fn glasses_are_known_beyond_visible_light() {
         for (name, nm, n) in [

@@ -1,4 +1,4 @@
-//! Noise where light goes in or out, and straight paths between (thesis §5.2.1): for interiors only.
+//! Noise where light crosses the surface, with straight paths in between (T §5.2.1); for interiors only.
 
 use std::sync::Arc;
 

@@ -1,4 +1,4 @@
-//! Bogacki and Shampine's pair of orders 3 and 2 (1989), first same as last.
+//! The Bogacki–Shampine 3(2) pair (1989), first same as last.
 
 use super::Kind;
 use crate::model::control::embedded;

@@ -1,4 +1,4 @@
-//! Dormand and Prince's pair of orders 5 and 4 (1980), first same as last.
+//! The Dormand–Prince 5(4) pair (1980), first same as last.
 
 use super::Kind;
 use crate::model::control::embedded;

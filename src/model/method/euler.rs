@@ -1,4 +1,4 @@
-//! Euler's method: p ← p + h F(p) (W04 Eq. 2).
+//! The Euler method: p ← p + h F(p) (W04 Eq. 2).
 
 use super::Kind;
 use crate::model::control::{PLANNED_OR_DOUBLED, doubling, scaled};

@@ -1,4 +1,4 @@
-//! Closed forms alone: straight rays, and media whose paths are known.
+//! Closed forms alone, for straight rays and media whose paths are known.
 
 use super::{Kind, Path, Refusal};
 use crate::model::control;

@@ -1,7 +1,7 @@
-//! Gröller's iteration as it is printed: x ← x + h v/|v|, v ← f(x, v) (G95 §3.1, Table 1).
+//! Gröller's iteration as published: x ← x + h v/|v|, v ← f(x, v) (G95 §3.1, Table 1).
 //!
-//! *Theory.* Under sources of force f(x, v) = v − Σ M d(r) n̂, without h: what is integrated is the law by arc length, dx = v/|v|,
-//! dv = a(x), with M/h in place of M, so that a picture depends on h. Under a flow f is the field.
+//! *Theory.* Under sources of force, f(x, v) = v − Σ M d(r) n̂ without h. The iteration therefore integrates the law by arc length, dx =
+//! v/|v|, dv = a(x), with M/h instead of M, so that the image depends on h. Under a flow, f is the field.
 
 use super::{Kind, Refusal};
 use crate::model::{Order, control};
@@ -22,6 +22,6 @@ pub static KIND: Kind = Kind {
         refused
     },
     polygon: true,
-    // Its picture depends on h, so that there is no accuracy to chart.
+    // The image depends on h, so that a chart has no accuracy to show.
     ..Kind::STEPS
 };

@@ -1,4 +1,4 @@
-//! Drift, kick, drift: Störmer and Verlet's method, of order 2, for accelerations that depend on place alone.
+//! The drift–kick–drift leapfrog (Störmer–Verlet) method of order 2, for accelerations that depend on position alone.
 
 use super::{Kind, Refusal};
 use crate::model::Order;
@@ -13,7 +13,7 @@ pub static KIND: Kind = Kind {
     ..Kind::STEPS
 };
 
-/// Why a method for accelerations that depend on place alone does not suit a law.
+/// Returns why a method for accelerations that depend on position alone does not support a law.
 pub(super) fn needs_place_alone(order: Order) -> Vec<Refusal> {
     let problem = match order {
         Order::Place => return Vec::new(),

@@ -1,8 +1,8 @@
-//! Methods: how a ray is followed, one kind a file.
+//! Methods, which integrate the paths of rays; one file per kind.
 //!
-//! *Practice.* A kind says which WGSL takes its step, what that costs, which controls go with it, which laws it suits, and which
-//! settings a chart tries. [`METHODS`] names each kind once; nothing else does. Adding one is a WGSL file in `shaders/method/step/`, a file
-//! here and a line of that table.
+//! *Practice.* A kind specifies the WGSL module of its step, its cost, its controls, the laws that it supports, and the settings that a
+//! chart sweeps. [`METHODS`] is the only list of kinds. To add a kind, add a WGSL file in `shaders/method/step/`, a file here and a line of
+//! that table.
 
 mod bogacki_shampine;
 mod dormand_prince;
@@ -25,7 +25,7 @@ use crate::document::reader::TableReader;
 use crate::document::values::positive;
 use crate::document::{Key, KeyReference, kind_rows};
 
-/// Every method, in the order of the reference and of charts.
+/// The list of all methods, in the order of the reference and of charts.
 pub const METHODS: [&Kind; 11] = [
     &exact::KIND,
     &planar::KIND,
@@ -40,113 +40,113 @@ pub const METHODS: [&Kind; 11] = [
     &groeller::KIND,
 ];
 
-/// What follows rays without a solver, where all paths have closed forms.
+/// The method without a solver, if all paths have closed forms.
 pub const CLOSED_FORMS: Method = Method { kind: &exact::KIND, own: 0.0 };
-/// What takes steps that the scene gives, where it names no method.
+/// The default method for steps that the scene specifies.
 pub const PLANNED: Method = Method { kind: &rk4::KIND, own: 0.0 };
-/// What keeps a tolerance that the scene gives; and what the reference solution is found by.
+/// The default method for a tolerance that the scene specifies, which also computes reference solutions.
 pub const TOLERANT: Method = Method { kind: &dormand_prince::KIND, own: 0.0 };
 
-/// How a method comes to the next point of a path.
+/// The way in which a method computes the next point of a path.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Path {
-    /// By closed forms alone.
+    /// Closed forms alone.
     Closed,
-    /// By an equation of the orbit about the law's only center.
+    /// An equation of the orbit around the law's only center.
     Orbit,
-    /// By steps of the law's differential equation.
+    /// Steps of the law's differential equation.
     Steps,
 }
 
-/// What is known of a method.
+/// The description of a method.
 pub struct Kind {
-    /// As a scene file has it.
+    /// The name in a scene file.
     pub name: &'static str,
-    /// How it goes on.
+    /// The way in which it computes the next point.
     pub path: Path,
-    /// The WGSL parts of its step.
+    /// The WGSL modules of its step.
     pub parts: &'static [&'static str],
-    /// Evaluations of the law's derivative in a step; a pair's first, which is the last of the step before, is not counted.
+    /// The number of derivative evaluations per step, without the first one of an FSAL pair, which the step before computes.
     pub evaluations: u32,
-    /// Its order of convergence; 0 where there is none.
+    /// The order of convergence; 0 if there is none.
     pub order: u32,
-    /// The controls that it goes with.
+    /// The controls that the method supports.
     pub controls: &'static [&'static control::Kind],
-    /// Why it cannot follow rays where these demands are made.
+    /// Returns why the method cannot meet these demands.
     pub refuses: fn(&Demands) -> Vec<Refusal>,
-    /// Do closed forms stand for it where there are some?
+    /// Is `true` if closed forms replace the method where they exist.
     pub closed_forms: bool,
-    /// Is its path made of straight steps? Segments are then chords over one step, unless the scene says otherwise.
+    /// Is `true` if the path consists of straight steps. Segments are then chords over one step, unless the scene specifies otherwise.
     pub polygon: bool,
-    /// What a step costs besides its evaluations, in evaluations of a simple derivative; none for a method that no chart has shown to
-    /// be the fastest somewhere.
+    /// The cost of a step in addition to its evaluations, in evaluations of a simple derivative; `None` for a method that is the fastest in
+    /// no chart.
     pub step_cost: Option<f64>,
-    /// What a chart tries: names, as a chart shows them, and settings from coarse to fine.
+    /// Returns the names and settings of a chart, from coarse to fine.
     pub sweeps: fn() -> Vec<(&'static str, Vec<Control>)>,
-    /// A number that only this method has.
+    /// The parameter that only this method has.
     pub own: Option<&'static OwnNumber>,
 }
 
-/// A number that only one method has: its key, and the member of the uniform that it is in WGSL, of the same name.
+/// The parameter of one method, by its key and by the uniform in which a WGSL member has the name of the key.
 pub struct OwnNumber {
-    /// The key and what it means.
+    /// The key and its meaning.
     pub key: Key,
-    /// What it is by default.
+    /// The default.
     pub default: f64,
     /// The uniform.
     pub uniform: &'static str,
 }
 
-/// A method with its own number.
+/// A method with its parameter.
 #[derive(Clone, Copy, PartialEq)]
 pub struct Method {
-    /// Its kind.
+    /// The kind of method.
     pub kind: &'static Kind,
-    /// The number that only this kind has; 0 if it has none.
+    /// The parameter that only this kind has; 0 if it has none.
     pub own: f64,
 }
 
-/// What a scene demands of the method that follows its rays.
+/// The demands of a scene on the method that follows its rays.
 #[derive(Debug, Clone, Copy)]
 #[expect(clippy::struct_excessive_bools, reason = "questions that have nothing to do with each other")]
 pub struct Demands {
-    /// What the law's derivative depends on.
+    /// The variables on which the law's derivative depends.
     pub order: Order,
-    /// Has the law a single center, so that a ray stays in a plane?
+    /// Is `true` if the law has a single center, so that a ray stays in a plane.
     pub has_plane: bool,
-    /// Is it that of a spin, whose orbits separate?
+    /// Is `true` if the center is a rotating black hole, whose orbits separate.
     pub separates: bool,
-    /// Is there anything but closed forms to follow?
+    /// Is `true` if not all paths have closed forms.
     pub needs_solver: bool,
-    /// Is there an interior that has no closed form?
+    /// Is `true` if there is an interior without a closed form.
     pub has_solved_interior: bool,
-    /// Is there a medium that may bend light?
+    /// Is `true` if there is a medium that may bend light.
     pub has_medium: bool,
-    /// Do rays end at a given τ?
+    /// Is `true` if rays end at a given τ.
     pub ends: bool,
-    /// Are segments chords over several steps?
+    /// Is `true` if segments are chords over several steps.
     pub has_chords: bool,
 }
 
-/// Why a method does not go with a scene.
+/// A reason why a method does not support a scene.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Refusal {
-    /// The key of `[rays]` that is wrong beside it.
+    /// The key of `[rays]` that conflicts with the method.
     pub key: &'static str,
-    /// What is wrong.
+    /// The problem.
     pub problem: &'static str,
-    /// What would be right.
+    /// The remedy.
     pub help: &'static str,
 }
 
 impl Refusal {
-    /// The method itself is wrong.
+    /// Creates a refusal of the method itself.
     pub(super) const fn method(problem: &'static str) -> Self {
         Self { key: "method", problem, help: "use rk4, or leave `method` out" }
     }
 }
 
-/// Why no scene's rays can be followed by the equation of an orbit there.
+/// Returns why the orbit equation cannot follow the rays of a scene.
 pub(super) fn refuses_orbits(scene: Demands) -> Vec<Refusal> {
     let mut refused = Vec::new();
     if scene.ends {
@@ -165,13 +165,13 @@ pub(super) fn refuses_orbits(scene: Demands) -> Vec<Refusal> {
 }
 
 impl Method {
-    /// Of a kind, with the usual number of its own.
+    /// Creates a method of a kind with the default parameter.
     #[must_use]
     pub fn new(kind: &'static Kind) -> Self {
         Self { kind, own: kind.own.map_or(0.0, |own| own.default) }
     }
 
-    /// What its own parts are fed.
+    /// Returns the values of its WGSL modules.
     #[must_use]
     pub fn values(&self) -> Option<Binding> {
         let own = self.kind.own?;
@@ -180,7 +180,7 @@ impl Method {
 }
 
 impl Kind {
-    /// Steps of the law's differential equation, one evaluation each, without demands: what methods differ from.
+    /// The description of a method of one evaluation per step without demands, which supplies the defaults of the other kinds.
     pub const STEPS: Self = Self {
         name: "",
         path: Path::Steps,
@@ -205,41 +205,41 @@ impl fmt::Debug for Method {
     }
 }
 
-/// A name of the scene format: a method by some of its controls, which share a suffix of the name.
+/// A name in the scene format: a method with the controls that share a suffix of the name.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Named {
     /// The method.
     pub kind: &'static Kind,
-    /// What follows the method's name.
+    /// The suffix of the method's name.
     pub suffix: &'static str,
 }
 
 impl Named {
-    /// A method by its usual control.
+    /// Creates the name of a method with its usual control.
     #[must_use]
     pub fn plain(method: Method) -> Self {
         Self { kind: method.kind, suffix: "" }
     }
 
-    /// The controls that it may have by this name.
+    /// Returns the controls that this name may have.
     fn controls(self) -> Vec<&'static control::Kind> {
         self.kind.controls.iter().copied().filter(|control| control.suffix == self.suffix).collect()
     }
 
-    /// The keys that it reads.
+    /// Returns the keys that the method reads.
     fn keys(self) -> Vec<Key> {
         let controls = self.controls().into_iter().flat_map(|control| control.keys);
         controls.copied().chain(self.kind.own.map(|own| own.key)).collect()
     }
 
-    /// The method and its control, by the keys of a `[rays]` table.
+    /// Reads the method and its control from the keys of a `[rays]` table.
     pub(crate) fn read(self, table: &TableReader) -> (Method, Control) {
         let own = self.kind.own.map_or(0.0, |own| table.or(own.key.key, own.default, positive));
         (Method { kind: self.kind, own }, control::read(&self.controls(), table))
     }
 }
 
-/// Every name that a scene file may give a method.
+/// Returns all names that a scene file may specify for a method.
 #[must_use]
 pub fn names() -> Vec<(String, Named)> {
     let named = |kind: &'static Kind| {
@@ -249,7 +249,7 @@ pub fn names() -> Vec<(String, Named)> {
     METHODS.into_iter().flat_map(named).collect()
 }
 
-/// A method with its control, as keys and values of the scene format.
+/// Returns a method with its control as keys and values of the scene format.
 #[must_use]
 pub fn settings(method: Method, control: Control) -> Vec<(&'static str, String)> {
     let mut all = vec![("method", control::quoted(&format!("{}{}", method.kind.name, control.kind.suffix)))];
@@ -258,7 +258,7 @@ pub fn settings(method: Method, control: Control) -> Vec<(&'static str, String)>
     all
 }
 
-/// The keys of everything that any method or control reads, and of the method itself.
+/// Returns the keys of all methods and controls, and of the method itself.
 #[must_use]
 pub fn setting_keys() -> Vec<&'static str> {
     let read = names().into_iter().flat_map(|(_, named)| named.keys());
@@ -268,13 +268,13 @@ pub fn setting_keys() -> Vec<&'static str> {
     all
 }
 
-/// A method and its setting in words of the scene format.
+/// Returns a description of a method and its setting in terms of the scene format.
 #[must_use]
 pub fn method_words(method: Method, control: Control) -> String {
     control.words(method.kind.name)
 }
 
-/// The reference's rows of the keys that methods read.
+/// Returns the reference rows of the keys that methods read.
 #[must_use]
 pub fn reference() -> Vec<KeyReference> {
     let meaning = "the integrator; auto finds the cheapest at the accuracy. By default exact if no light is bent, \

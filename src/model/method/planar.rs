@@ -1,4 +1,4 @@
-//! The orbit's equation in the ray's own plane (Binet): for laws with one center.
+//! The Binet equation of the orbit in the ray's plane, for laws with one center.
 
 use super::{Kind, Path, Refusal, refuses_orbits};
 use crate::model::control::scaled;
@@ -6,7 +6,7 @@ use crate::model::control::scaled;
 pub static KIND: Kind = Kind {
     name: "planar",
     path: Path::Orbit,
-    // Nyström's, of the orbit.
+    // The evaluations of the Nyström method of the orbit.
     evaluations: 3,
     order: 4,
     controls: &[&scaled::KIND],

@@ -1,4 +1,4 @@
-//! Nyström's method of order 4, for accelerations that depend on place alone.
+//! The Nyström method of order 4, for accelerations that depend on position alone.
 
 use super::Kind;
 use super::leapfrog::needs_place_alone;

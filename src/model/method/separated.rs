@@ -1,4 +1,4 @@
-//! The orbit's separated equations in Mino's parameter: for a hole with a spin.
+//! The separated equations of the orbit in Mino time, for a rotating black hole.
 
 use super::{Kind, Path, Refusal, refuses_orbits};
 use crate::model::control::scaled;
@@ -6,7 +6,7 @@ use crate::model::control::scaled;
 pub static KIND: Kind = Kind {
     name: "separated",
     path: Path::Orbit,
-    // Nyström's, of the orbit.
+    // The evaluations of the Nyström method of the orbit.
     evaluations: 3,
     order: 4,
     controls: &[&scaled::KIND],

@@ -1,4 +1,4 @@
-//! Straight until the index has changed by more than a threshold, then Snell's law (W04 §5.3): for media.
+//! Straight paths until the index has changed by more than a threshold, then Snell's law (W04 §5.3), for media.
 
 use super::{Kind, OwnNumber, Refusal};
 use crate::document::keys;
