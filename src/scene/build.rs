@@ -1,7 +1,7 @@
-//! Scenes made in code, without TOML.
+//! Construction of scenes in code, without TOML.
 //!
-//! *Practice.* [`Scene::new`] is an empty scene under a law; its fields are public, and what is added is what a file could say. Nothing
-//! is checked that a file would be checked for, but that indices are those of what was added.
+//! *Practice.* [`Scene::new`] creates an empty scene with a law; its fields are public, and additions correspond to the tables of a file.
+//! Unlike files, scenes in code are not checked, except for the indices of added items.
 
 use std::sync::Arc;
 
@@ -17,9 +17,9 @@ use crate::model::method::TOLERANT;
 use crate::model::{Interior, Law, Material, Medium, Object, Pattern, Shape, Substance, Surface};
 
 impl Scene {
-    /// Nothing but a law, before a black sky, in a bounding sphere of `radius` scene units about the origin: rays that leave it have
-    /// escaped. Rays are followed at a tolerance of 10⁻⁵, by closed forms where there are some. A picture needs a camera too, such as
-    /// [`Camera::looking`](super::Camera::looking) makes: without one rendering is an error.
+    /// Creates a scene with a law, a black sky, and a bounding sphere of `radius` scene units around the origin, beyond which rays have
+    /// escaped. The method keeps a tolerance of 10⁻⁵ and uses closed forms where they exist. A render also needs a camera, such as
+    /// [`Camera::looking`](super::Camera::looking) creates; without one it returns an error.
     #[must_use]
     pub fn new(law: impl Law, radius: f64) -> Self {
         let (mut materials, mut objects) = (Vec::new(), Vec::new());
@@ -43,28 +43,28 @@ impl Scene {
         }
     }
 
-    /// Adds a material; what comes back is its index, for [`Scene::add`].
+    /// Adds a material, and returns its index for [`Scene::add`].
     pub fn add_material(&mut self, name: &str, color: Pattern, surface: impl Surface) -> usize {
         self.materials.push(Material { name: name.to_owned(), color, surface: Arc::new(surface) });
         self.materials.len() - 1
     }
 
-    /// Adds a shape in a place, made of a material.
+    /// Adds an opaque object: a shape with a placement and a material.
     ///
     /// # Panics
     ///
-    /// Where there is no such material.
+    /// Panics if there is no material of this index.
     pub fn add(&mut self, shape: impl Shape, transform: Transform, material: usize) {
         assert!(material < self.materials.len(), "there is no material {material}");
         self.objects.push(Object::new(Arc::new(shape), transform, Substance::Opaque(material)));
     }
 
-    /// Adds a shape in a place, filled with a medium that light goes through. Of interiors that overlap, the one of the higher
-    /// priority is there. A mesh that overlaps itself becomes several objects.
+    /// Adds a transparent object: a shape with a placement, filled with a medium. Where interiors overlap, the one with the higher priority
+    /// wins. A mesh that overlaps itself becomes several objects.
     ///
     /// # Panics
     ///
-    /// If light cannot go through the shape: see [`Shape::refuses_interior`].
+    /// Panics if the shape cannot have an interior: see [`Shape::refuses_interior`].
     pub fn add_interior(&mut self, shape: impl Shape, transform: Transform, medium: impl Medium, priority: u32) {
         assert_eq!(shape.refuses_interior(), None, "light cannot go through this shape");
         let substance = Substance::Clear(Interior { priority, ..Interior::new(Arc::new(medium)) });
@@ -73,21 +73,21 @@ impl Scene {
 }
 
 impl Default for Image {
-    /// 800×600 pixels of one sample.
+    /// Returns an image of 800×600 pixels with one sample per pixel.
     fn default() -> Self {
         Self { size: [800, 600], samples: 1, pattern: SamplePattern::MultiJittered, adaptive: None, footprints: false }
     }
 }
 
 impl Default for Output {
-    /// As it is, in eight bits.
+    /// Returns an output of unchanged radiance in eight bits.
     fn default() -> Self {
         Self { exposure: 0.0, tonemap: Tonemap::None, bits: 8, clamp: None }
     }
 }
 
 impl Rays {
-    /// As a scene file has it that says no more than the radius of the bounding sphere, at a tolerance of 10⁻⁵.
+    /// Returns the settings of a scene file that specifies only the radius of the bounding sphere, with a tolerance of 10⁻⁵.
     #[must_use]
     pub fn new(radius: f64) -> Self {
         Self {

@@ -1,14 +1,13 @@
-//! How a scene's rays are followed, as a text that says all of it: what a picture keeps, and what has another scene follow its rays
-//! the same way.
+//! A text with all settings of a scene's ray integration, which an image stores, so that another scene can use identical settings.
 
 use super::{Override, Rays, Scene, SceneError};
 use crate::model::{Control, Method, method};
 
-/// What takes part in it besides the method's own keys, and what only a method that is still to be found has.
+/// The keys in addition to those of the method, including a key that only an automatic choice of method has.
 const OTHERS: [&str; 4] = ["max_segments", "precision", "closed_forms", "accuracy"];
 
 impl Scene {
-    /// Returns the scene with a method that is chosen for it.
+    /// Returns the scene with a method chosen for it.
     #[must_use]
     pub fn followed_by(&self, method: Method, control: Control, closed_forms: bool) -> Self {
         Self { rays: Rays { auto: None, method, control, closed_forms, ..self.rays.clone() }, ..self.clone() }
@@ -16,7 +15,7 @@ impl Scene {
 }
 
 impl Rays {
-    /// The method with all of its settings, and what else of `[rays]` makes the same numbers, as a table of the scene format.
+    /// Returns the method with all of its settings, and the other keys of `[rays]` that affect the results, as a table of the scene format.
     #[must_use]
     pub fn followed(&self) -> String {
         let mut all = method::settings(self.method, self.control);
@@ -30,12 +29,12 @@ impl Rays {
     }
 }
 
-/// Keys of `[rays]` that say how rays are followed.
+/// Returns the keys of `[rays]` that affect the integration of rays.
 pub fn followed_keys() -> impl Iterator<Item = &'static str> {
     method::setting_keys().into_iter().chain(OTHERS)
 }
 
-/// What has a scene follow its rays as [`Rays::followed`] says, whatever it says itself.
+/// Returns the overrides that give a scene the settings of [`Rays::followed`], whatever it specifies.
 pub fn follow_as(followed: &str) -> Result<Vec<Override>, SceneError> {
     let wrong = || SceneError::Override(format!("`{followed}` does not say how rays are followed"));
     let table: toml::Table = toml::from_str(&format!("rays = {followed}")).map_err(|_| wrong())?;

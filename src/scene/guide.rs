@@ -1,28 +1,28 @@
-//! What guides paths to light that no cone about a lamp leads to: light that mirrors and clear objects have sent on, or that the law bends.
+//! Path guiding to light that next-event estimation cannot reach, because mirrors, transparent objects or the law deflect it.
 
 use super::{Lamp, LightGrid, Scene};
 use crate::model::Substance;
 
-/// Light from a lamp that is followed before a picture, so that paths know where it comes from.
+/// A beam: light from an emitter that is traced before the image, so that paths learn the directions from which it arrives.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Beam {
-    /// Where it comes from.
+    /// The emitter.
     pub lamp: Lamp,
-    /// Which mirror or clear object it is sent to; all that leaves the lamp where space itself bends light.
+    /// The index of the mirror or transparent object that the beam passes; `None` for all light of the emitter where space bends light.
     pub through: Option<usize>,
 }
 
-/// Beams, at most: each costs every vertex a few operations.
+/// The largest number of beams, because each adds a few operations to every vertex.
 const MOST: usize = 8;
-/// Paths of a beam.
+/// The number of paths of a beam.
 const PATHS: std::ops::RangeInclusive<u64> = 1 << 12..=1 << 17;
-/// Segments of a path of a beam: what goes round and round leaves its light on its first rounds.
+/// The largest number of segments of a beam's path; light that circulates is recorded on its first rounds.
 const SEGMENTS: u32 = 256;
-/// Those that come to a voxel by a surface, about.
+/// The approximate number of paths per voxel with a surface.
 const PATHS_A_VOXEL: f64 = 64.0;
 
 impl Scene {
-    /// The light that guides paths: the eight brightest beams, and none where cones about lamps lead to all light.
+    /// Returns up to eight of the brightest beams; empty if next-event estimation reaches all light.
     #[must_use]
     pub fn beams(&self) -> Vec<Beam> {
         if !self.rays.paths.is_some_and(|paths| paths.guide) || self.law.facts().refuses_sent_light.is_some() {
@@ -44,25 +44,25 @@ impl Scene {
             let lit = |lamp: &&Lamp| self.camera.as_ref().is_none_or(|camera| outside(lamp, camera.position));
             lamps.iter().filter(lit).map(|lamp| (lamp.power, Beam { lamp: *lamp, through: None })).collect()
         };
-        // The brightest first, and of equal ones the first in the file.
+        // Sorted by brightness; beams of equal brightness stay in the order of the file.
         all.sort_by(|a, b| b.0.total_cmp(&a.0));
         all.truncate(MOST);
         all.into_iter().map(|(_, beam)| beam).collect()
     }
 
-    /// How finely their light is kept.
+    /// Returns the resolution of the beams' light grids.
     #[must_use]
     pub fn guide_grid(&self) -> LightGrid {
         let [width, height] = self.image.size.map(u64::from);
-        // One for each pixel: a small part of what a picture's own paths cost, and the same however many there are of those, so that a
-        // picture can be gone on with.
+        // One path per pixel costs little compared with the image. The number does not depend on the samples, so that a render can be
+        // resumed.
         let paths = (width * height).clamp(*PATHS.start(), *PATHS.end());
         let voxels = ((paths as f64 / PATHS_A_VOXEL).sqrt() as u32).max(LightGrid::COARSEST.voxels);
         LightGrid { voxels, refine: 6, paths: paths as u32 }
     }
 
-    /// What the beams' light is followed through: without lamps and paths, and without filters, for where light comes from is known without
-    /// what is left of it.
+    /// Returns the scene in which beams are traced, without emitters and paths, and without absorption, because the directions of light do
+    /// not depend on it.
     #[must_use]
     pub fn of_beams(&self) -> Self {
         let mut scene = self.clone();
@@ -80,7 +80,7 @@ impl Scene {
         scene
     }
 
-    /// What paths aim at: the parts of `shaders/path/aim` for it.
+    /// Returns the modules of `shaders/path/aim` for the targets of path guiding.
     #[must_use]
     pub fn aims(&self) -> Vec<&'static str> {
         let lamps = (!self.lamps().is_empty()).then_some("lamps");

@@ -1,28 +1,27 @@
-//! What paths aim at: surfaces that emit.
+//! The emissive surfaces that next-event estimation samples.
 
 use glam::DVec3;
 
 use super::Scene;
 
-/// The ball about a surface that emits.
+/// The bounding sphere of an emissive surface.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Lamp {
-    /// Which object.
+    /// The index of the object.
     pub object: usize,
-    /// The ball's middle.
+    /// The center.
     pub center: DVec3,
-    /// Its radius.
+    /// The radius.
     pub radius: f64,
-    /// Its disk's area times the mean radiance.
+    /// The area of its disk times the mean radiance.
     pub power: f64,
 }
 
-/// Lamps that are aimed at: each costs every vertex a few operations.
+/// The largest number of sampled emitters, because each adds a few operations to every vertex.
 const MOST: usize = 64;
 
 impl Scene {
-    /// What paths aim at, in the order of the file: the brightest if there are more than 64. Light that nothing aims at is found as well, by
-    /// chance.
+    /// Returns the sampled emitters in the order of the file, limited to the 64 brightest. Paths hit other emitters by chance.
     #[must_use]
     pub fn lamps(&self) -> Vec<Lamp> {
         if !self.rays.paths.is_some_and(|paths| paths.aim) {

@@ -1,4 +1,4 @@
-//! Lights, and how it is found out what they reach.
+//! Lights and their shadows.
 
 use std::ops::RangeInclusive;
 
@@ -6,53 +6,55 @@ use glam::DVec3;
 
 use super::Scene;
 
-/// `[[lights]]`.
+/// A table `[[lights]]`.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Light {
-    /// Where it is.
+    /// The position or direction.
     pub source: LightSource,
-    /// The radiance of a white surface that faces it; at distance 1, if it falls off.
+    /// The radiance of a white surface that faces the light; at distance 1, if the light falls off.
     pub color: DVec3,
-    /// How it is found out whether it reaches a surface.
+    /// The method that computes shadows.
     pub shadows: Shadows,
-    /// Where its shadows are straight: what clear things do to its light.
+    /// The effect of transparent objects, for straight shadows.
     pub clear: Clear,
-    /// Does it fall off with the square of the distance; found by shooting, with the spread of its bundle?
+    /// Is `true` if the light falls off with the square of the distance or, with the shooting method, with the divergence of its ray
+    /// bundle.
     pub falls: bool,
-    /// The radius of the ball that it is: as bright as that at a caustic.
+    /// The minimum effective distance, which limits the brightness at caustics.
     pub size: f64,
-    /// How finely its light is kept, where that is in a grid.
+    /// The resolution of the light grid, if shadows use one.
     pub grid: LightGrid,
 }
 
-/// How finely a light's light is kept in voxels.
+/// The resolution of a light grid.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct LightGrid {
-    /// Voxels along the longest side of what is lit.
+    /// The number of voxels along the longest side of the lit region.
     pub voxels: u32,
-    /// Parts along each axis of voxels that disagree with their neighbors; 1 for none.
+    /// The subdivision along each axis of voxels that differ from their neighbors; 1 for none.
     pub refine: u32,
-    /// Paths to what is lit; to the parts there are four times as many.
+    /// The number of paths to the lit region; subdivided voxels use four times as many.
     pub paths: u32,
 }
 
 impl LightGrid {
-    /// The cheapest there is.
+    /// The cheapest resolution.
     pub const COARSEST: Self = Self { voxels: 8, refine: 1, paths: 1024 };
 }
 
-/// Paths, at least, where a scene does not say.
+/// The minimum default number of paths.
 const FEWEST_PATHS: u32 = 1 << 16;
 
 impl LightGrid {
-    /// As many paths as leave less noise with finer voxels: to twice as fine ones eight times as many, twice through each.
+    /// Returns a default number of paths that limits the noise of finer voxels: eight times as many for half the size, twice as many per
+    /// voxel.
     #[must_use]
     pub fn usual_paths(voxels: u32) -> u32 {
         voxels.saturating_pow(3).saturating_mul(2).clamp(FEWEST_PATHS, *PATHS.end())
     }
 }
 
-/// What a scene may ask for.
+/// The range of paths that a scene may specify.
 pub(super) const PATHS: RangeInclusive<u32> = 1024..=1 << 26;
 
 impl Default for LightGrid {
@@ -61,47 +63,47 @@ impl Default for LightGrid {
     }
 }
 
-/// Where light comes from.
+/// The position or direction of a light.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum LightSource {
-    /// A place.
+    /// A point light at a position.
     Point(DVec3),
-    /// Far away: the unit vector that the light travels along.
+    /// A directional light: the unit vector along which the light travels.
     Directional(DVec3),
 }
 
-/// How it is found out whether a light reaches a surface.
+/// The method that decides whether a light reaches a surface.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Shadows {
-    /// It reaches all that faces it (W04 §3.4: "fake" illumination, for testing).
+    /// Without shadows: the light reaches every surface that faces it (W04 §3.4: "fake" illumination, for testing).
     None,
-    /// By straight lines, whatever the law (G95 §6).
+    /// Along straight lines, whatever the law (G95 §6).
     Straight,
-    /// By the paths of the scene's own law that lead from the light to the surface.
+    /// Along the law's paths from the light to the surface, found by the shooting method.
     Shooting,
-    /// By what paths of the scene's own law from the light have left in the voxels of a grid (G95 §6).
+    /// By a grid of voxels, into which paths from the light under the law are traced (G95 §6).
     Grid,
 }
 
-/// What clear things do to light that comes in a straight line.
+/// The effect of transparent objects on light along a straight line.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Clear {
-    /// They let it through undiminished.
+    /// Light passes unchanged.
     Open,
-    /// They let through as much as their surfaces transmit and their media leave, with its color, straight on.
+    /// Light continues straight, tinted by the transmittance of surfaces and media.
     Filtered,
-    /// They shut it out as what is opaque does.
+    /// Light is blocked as by opaque objects.
     Closed,
 }
 
 impl Clear {
-    /// The words for it in a scene's file.
+    /// The names in a scene file.
     pub(super) const WORDS: [(&str, Self); 3] =
         [("ignored", Self::Open), ("tinted", Self::Filtered), ("opaque", Self::Closed)];
 }
 
 impl Shadows {
-    /// Is its light bent as the camera's rays are?
+    /// Returns `true` if the light bends like camera rays.
     #[must_use]
     pub fn follows_the_law(self) -> bool {
         matches!(self, Self::Shooting | Self::Grid)
@@ -109,20 +111,21 @@ impl Shadows {
 }
 
 impl Light {
-    /// White, without shadows or fall-off.
+    /// Creates a white light without shadows or fall-off.
     #[must_use]
     pub fn new(source: LightSource) -> Self {
         let (shadows, grid) = (Shadows::None, LightGrid::default());
         Self { source, color: DVec3::ONE, shadows, clear: Clear::Open, falls: false, size: 0.0, grid }
     }
 
-    /// Is it in a grid as bright as its paths are many? How bright light from far away is follows from them wherever the law bends it to.
+    /// Returns `true` if its brightness in a grid follows from the density of its paths. For a directional light this includes the focusing
+    /// by the law.
     #[must_use]
     pub fn falls_in_grid(&self) -> bool {
         self.falls || !self.is_point()
     }
 
-    /// Is it at a place?
+    /// Returns `true` if the light is a point light.
     #[must_use]
     pub fn is_point(&self) -> bool {
         matches!(self.source, LightSource::Point(_))
@@ -130,19 +133,19 @@ impl Light {
 }
 
 impl Scene {
-    /// Does a surface that shows lights show one with these shadows?
+    /// Returns `true` if a lit surface shows a light with this kind of shadows.
     #[must_use]
     pub fn has_shadows(&self, kind: Shadows) -> bool {
         self.is_lit() && self.lights.iter().any(|light| light.shadows == kind)
     }
 
-    /// Is ambient light shut out where a surface shows it?
+    /// Returns `true` if a surface shows ambient occlusion.
     #[must_use]
     pub fn is_occluded(&self) -> bool {
         self.occlusion.is_some() && self.used_materials().any(|material| material.surface.facts().is_lit)
     }
 
-    /// What clear things do to light that comes in straight lines, of each light and of ambient light.
+    /// Returns the effect of transparent objects on straight light, for each light and for ambient light.
     pub fn lines(&self) -> impl Iterator<Item = Clear> {
         let straight = |light: &&Light| self.is_lit() && light.shadows == Shadows::Straight;
         let ambient = self.occlusion.filter(|occlusion| self.is_occluded() && !occlusion.along_law);
@@ -150,13 +153,13 @@ impl Scene {
         self.lights.iter().filter(straight).map(|light| light.clear).chain(ambient)
     }
 
-    /// Do clear things shut out light that comes in straight lines?
+    /// Returns `true` if transparent objects block straight light.
     #[must_use]
     pub fn shuts_out(&self) -> bool {
         self.splits() && self.lines().any(|clear| clear == Clear::Closed)
     }
 
-    /// Is there something that weakens light that comes in straight lines?
+    /// Returns `true` if something attenuates straight light.
     #[must_use]
     pub fn weakens_lines(&self) -> bool {
         (self.splits() || self.filter.is_some()) && self.lines().any(|clear| clear == Clear::Filtered)

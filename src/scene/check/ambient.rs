@@ -1,11 +1,11 @@
-//! `[ambient]`: how ambient light is shut out.
+//! The reader of `[ambient]`, which sets the ambient occlusion.
 
 use crate::document::reader::TableReader;
 use crate::document::values::{number_where, positive, word};
 use crate::scene::optics::Optics;
 use crate::scene::{Clear, Occlusion};
 
-/// What cannot be looked along.
+/// Reports laws and segments that ambient occlusion does not support.
 fn check_law(table: &TableReader, optics: &Optics, chords: bool) {
     let help = "use rays = \"straight\"";
     if let Some(why) = optics.law.and_then(|law| law.facts().ignores_direction) {
@@ -19,7 +19,7 @@ fn check_law(table: &TableReader, optics: &Optics, chords: bool) {
     }
 }
 
-/// None without the table.
+/// Reads the ambient occlusion; returns `None` without the table.
 pub fn read(root: &TableReader, optics: &Optics, chords: bool) -> Option<Occlusion> {
     let table = root.subtable("ambient", "ambient")?;
     if optics.paths.is_some() {

@@ -1,41 +1,41 @@
-//! `[animation]`: values of the scene that change from frame to frame.
+//! The reader of `[animation]`: values of the scene that change from frame to frame.
 //!
-//! *Theory.* A frame is the scene with the value of each track put in place of its key, exactly as `--set` would: whatever a scene
-//! can say in numbers can move, and a frame can be rendered again as a still. Between two keys a value is linear, or *smooth*:
-//! the cubic whose slope at a key is that from the key before to the one after (Catmull and Rom), and zero at both ends.
+//! *Theory.* A frame is the scene with the value of each track substituted for its key, exactly as by `--set`. Every numeric value can
+//! therefore be animated, and a frame can be rendered again as a still. Between two keyframes a value is linear or *smooth*: a cubic whose
+//! slope at a keyframe is the slope between its neighbors (Catmull–Rom), and zero at both ends.
 //!
-//! *Practice.* Tracks are read whether or not a frame is asked for, so that their mistakes show in any command; the values
-//! that they give are checked where they are read, like any other, and a mistake in one is found at the track's value.
+//! *Practice.* Tracks are read even if no frame is requested, so that every command reports their errors. Their values are checked when
+//! they are read, like all others, and an error is located at the track's value.
 
 use crate::document::reader::{Reader, TableReader};
 use crate::document::values::{Read, number, number_where, text, whole, word};
 use crate::document::{Document, Fault, Node, Place, Value, names};
 
-/// What `[animation]` says.
+/// The contents of `[animation]`.
 pub struct Tracks {
     pub frames: u32,
-    /// A second's.
+    /// The number of frames per second.
     pub rate: f64,
-    /// The part of the time between frames that the shutter is open.
+    /// The fraction of the frame interval during which the shutter is open.
     pub shutter: f64,
-    /// Moments of one frame, at most.
+    /// The largest number of shutter samples of one frame.
     pub moments: u32,
     all: Vec<Track>,
 }
 
-/// `[[animation.tracks]]`.
+/// A table `[[animation.tracks]]`.
 struct Track {
     key: String,
     place: Place,
     /// The names that lead to the key.
     path: Vec<String>,
-    /// Frames, ascending, and the value at each.
+    /// The frames in ascending order; `values` has one value for each.
     at: Vec<f64>,
     values: Vec<Node>,
     smooth: bool,
 }
 
-/// None if there is none, or one that cannot be used.
+/// Reads the table; returns `None` without it or after an error.
 pub fn read(root: &TableReader) -> Option<Tracks> {
     let table = root.subtable("animation", "animation")?;
     let frames = table.required("frames", "48", whole(1..=1_000_000));
@@ -73,7 +73,7 @@ fn track(table: TableReader, frames: u32) -> Option<Track> {
     Some(Track { key: path.join("."), place: node.place, path, at, values, smooth })
 }
 
-/// The moments of a frame at most: each is a scene of its own.
+/// The largest number of shutter samples of a frame, because each requires a separate scene.
 const MOST_MOMENTS: u32 = 1024;
 
 fn power_of_two(node: &Node) -> Read<u32> {
@@ -81,7 +81,7 @@ fn power_of_two(node: &Node) -> Read<u32> {
     if moments.is_power_of_two() { Ok(moments) } else { Err(node.expected("a power of two, 2 to 1024")) }
 }
 
-/// The names in a key that can be set.
+/// Reads the names of a key that can be set.
 fn path(node: &Node) -> Read<Vec<String>> {
     let help = "names joined by dots, as --set takes them: camera.position, objects.0.radius";
     let path = names(text(node)?).ok_or_else(|| node.fault("this is not a key", help))?;
@@ -91,7 +91,7 @@ fn path(node: &Node) -> Read<Vec<String>> {
     Ok(path)
 }
 
-/// Numbers, or arrays of numbers that are all of one shape.
+/// Reads numbers, or arrays of numbers with equal shapes.
 fn values(node: &Node) -> Read<Vec<Node>> {
     let Value::Array(items) = &node.value else {
         return Err(node.expected("an array with a value for each key frame"));
@@ -124,7 +124,7 @@ fn same_shape(a: &Node, b: &Node) -> bool {
     }
 }
 
-/// As many frames as there are values, each after the one before.
+/// Reads one frame per value, in ascending order.
 fn ascending(node: &Node, count: usize) -> Read<Vec<f64>> {
     let Value::Array(items) = &node.value else {
         return Err(node.expected("an array of frames"));
@@ -139,8 +139,8 @@ fn ascending(node: &Node, count: usize) -> Read<Vec<f64>> {
     }
 }
 
-/// Puts the values of a frame, or of a moment between two, into the document; `frame_of` names the frame of each track by its key. What
-/// is wrong with the tracks is left for the reading of the whole.
+/// Substitutes the values of a frame, or of a time between two, into the document; `frame_of` returns the frame of each track from its key.
+/// Errors of the tracks are reported when the whole document is read.
 pub fn apply(document: &mut Document, frame_of: &dyn Fn(&str) -> f64) {
     let tracks = read(&Reader::new(document, &[]).root());
     for track in tracks.iter().flat_map(|tracks| &tracks.all) {
@@ -150,7 +150,7 @@ pub fn apply(document: &mut Document, frame_of: &dyn Fn(&str) -> f64) {
 }
 
 impl Tracks {
-    /// The keys that it moves.
+    /// Returns the animated keys.
     pub fn keys(&self) -> Vec<String> {
         self.all.iter().map(|track| track.key.clone()).collect()
     }
@@ -170,13 +170,13 @@ impl Track {
     }
 }
 
-/// Weights of four values round a frame, at the frames `at`: those of the two beside it are its own.
+/// Returns the weights of four values around a frame, at the frames `at`; only the two adjacent ones are not zero.
 fn linear([_, from, to, _]: [f64; 4], frame: f64) -> [f64; 4] {
     let t = (frame - from) / (to - from);
     [0.0, 1.0 - t, t, 0.0]
 }
 
-/// The cubic Hermite of the slopes (v₂ − v₀)/(t₂ − t₀) and (v₃ − v₁)/(t₃ − t₁); an end has none.
+/// Returns the weights of the cubic Hermite spline with slopes (v₂ − v₀)/(t₂ − t₀) and (v₃ − v₁)/(t₃ − t₁), and 0 at an end.
 fn smooth([before, from, to, after]: [f64; 4], frame: f64) -> [f64; 4] {
     let (span, t) = (to - from, (frame - from) / (to - from));
     let slope = |exists: bool, across: f64, basis: f64| if exists { span * basis / across } else { 0.0 };
@@ -186,7 +186,7 @@ fn smooth([before, from, to, after]: [f64; 4], frame: f64) -> [f64; 4] {
     [-first, 1.0 - rise - second, rise + first, second]
 }
 
-/// The weighted sum of four values of one shape, at the place of the second.
+/// Returns the weighted sum of four values with equal shapes, at the location of the second.
 fn mixed(nodes: [&Node; 4], weights: [f64; 4]) -> Node {
     let value = if let Value::Array(items) = &nodes[1].value {
         let item = |i: usize| mixed(nodes.map(|node| item_of(node, i)), weights);
@@ -213,7 +213,7 @@ fn plain(node: &Node) -> f64 {
     match node.value {
         Value::Integer(value) => value as f64,
         Value::Float(value) => value,
-        // Tracks hold nothing else.
+        // Tracks contain no other values.
         _ => f64::NAN,
     }
 }

@@ -1,12 +1,12 @@
-//! Where eyes are among objects.
+//! The check of eyes against objects.
 
 use crate::document::reader::TableReader;
 use crate::model::{Camera, Object};
 
-/// What float32 can tell apart, of the numbers that a place is made of.
+/// The relative resolution of float32 positions.
 const TOLD_APART: f64 = 1e-6;
 
-/// On a surface nobody can say which side an eye is on.
+/// Reports an eye on a surface, because its side is undefined.
 pub fn check(root: &TableReader, camera: &Camera, objects: &[Object]) {
     if !camera.projection.is_from_a_point() {
         return;

@@ -1,15 +1,15 @@
-//! `[image]`: the picture's size, and how it is sampled.
+//! The reader of `[image]`: the size of the image, and its sampling.
 
 use crate::document::reader::TableReader;
 use crate::document::values::{array, boolean, number_where, whole, word};
 use crate::scene::{Image, SamplePattern};
 
-/// Samples that an adaptive pixel takes at once: as many again each time that it goes on.
+/// The number of samples that an adaptive pixel takes before the first test; each later round doubles the total.
 const FIRST_SAMPLES: u32 = 16;
-/// The last number of samples at which it can.
+/// The largest number of samples after which a pixel can continue.
 const MOST_ADAPTIVE: u32 = 32_768;
 
-/// `by_paths`: is it made of random paths, of which there may be more later?
+/// Reads the table; `by_paths` is `true` for path tracing, to which later renders may add samples.
 pub fn read(root: &TableReader, by_paths: bool) -> Image {
     let mut image = Image::default();
     if by_paths {
@@ -42,7 +42,7 @@ pub fn read(root: &TableReader, by_paths: bool) -> Image {
     image
 }
 
-/// What goes with adaptive sampling.
+/// Checks the keys that depend on adaptive sampling.
 fn check_adaptive(table: &TableReader, samples: Option<u32>, pattern: Option<SamplePattern>) {
     if let Some(samples) = samples.filter(|n| *n < FIRST_SAMPLES || *n > MOST_ADAPTIVE || !n.is_power_of_two()) {
         let problem = format!("adaptive sampling takes 16, 32, 64, … samples, and cannot stop at {samples}");

@@ -1,10 +1,10 @@
-//! From documents to scenes: every value read and checked, all mistakes found in one run.
+//! The conversion of documents to scenes, which reads and checks every value and reports all errors in one run.
 //!
-//! Each file here reads one table. What depends on another table is read after it (rays after the law, the camera
-//! after both, objects after materials and the bound). A value that is wrong is recorded and replaced, or the whole
-//! left out, so that the reading goes on; a scene is handed out only if nothing was recorded.
+//! Each file here reads one table. A table is read after the tables that it depends on (rays after the law, the camera after both, objects
+//! after materials and the bounding sphere). An invalid value is reported and replaced, or its table is omitted, so that the reader can
+//! continue; a scene is returned only if there are no errors.
 //!
-//! *Length.* Over 300 lines, because the order in which tables depend on each other is visible in one place.
+//! *Length.* This file is over 300 lines, so that the order of dependent tables is in one place.
 
 mod ambient;
 mod animation;
@@ -34,15 +34,15 @@ use std::path::Path;
 use std::sync::Arc;
 
 impl Scene {
-    /// Reads and checks a scene file, with all that it names; `overrides` replace values of the file. The path `-` is standard input,
-    /// whose files are found relative to the working folder.
+    /// Reads and checks a scene file with all referenced files; `overrides` replace values of the file. The path `-` is standard input,
+    /// whose files are relative to the working directory.
     pub fn load(path: &Path, overrides: &[Override]) -> Result<Self, SceneError> {
         Self::load_with(&mut Files::default(), path, overrides, None)
     }
 
-    /// As [`Scene::load`], with the files kept that it names, for the next scene; and, if a frame is given, with what
-    /// `[animation]` moves where it is then. `frame_of` names the frame of each track by its key, or a moment
-    /// between two: the same for all, unless it is to be known what one of them changes.
+    /// Loads a scene like [`Scene::load`], with a cache of files for later scenes and, if a frame is given, with the values of
+    /// `[animation]` at that frame. `frame_of` returns the frame of each track, or a time between two frames, from its key; the result is
+    /// equal for all tracks, unless the effect of a single track is examined.
     pub fn load_with(
         files: &mut Files,
         path: &Path,
@@ -52,23 +52,22 @@ impl Scene {
         Self::of(&document(path, overrides, frame_of)?, given_name(path), files)
     }
 
-    /// What a scene file says, with the overrides and the frame's values in place: every value under its key, without `[animation]`,
-    /// but with its tracks where the shutter of a frame is open.
-    /// Files that say the same are listed alike.
+    /// Returns the contents of a scene file after overrides and frame values: every value by its key, without `[animation]`, but with its
+    /// tracks if a frame's shutter is open. Equivalent files have equal listings.
     pub fn listing(
         path: &Path,
         overrides: &[Override],
         frame_of: Option<&dyn Fn(&str) -> f64>,
     ) -> Result<BTreeMap<String, String>, SceneError> {
         let mut lines = document(path, overrides, frame_of)?.listing();
-        // What goes on while the shutter is open is no value of a frame, but the tracks say it.
+        // The values of a frame do not describe the open shutter, but the tracks do.
         let is_open = frame_of.is_some() && lines.get("animation.shutter").is_some_and(|part| part.parse() != Ok(0.0));
         let stays = |key: &str| is_open && !["animation.frames", "animation.rate"].contains(&key);
         lines.retain(|key, _| !key.starts_with("animation.") || stays(key));
         Ok(lines)
     }
 
-    /// As [`Scene::load`], with the file's text given; `path` names it, and files are found relative to its folder.
+    /// Parses a scene like [`Scene::load`] from text; `path` is its name, and files are relative to its folder.
     pub fn parse(text: &str, path: &Path, overrides: &[Override]) -> Result<Self, SceneError> {
         Self::of(&Document::parse(text, path, overrides)?, path, &mut Files::default())
     }
@@ -78,7 +77,7 @@ impl Scene {
         files.begin();
         let scene = scene(&reader, files);
         let mut mistakes = reader.into_mistakes();
-        // The scene's first, from the top; those of other files stay together, as they were found.
+        // Errors of the scene come first, in order of location; those of other files stay together in the order in which they were found.
         mistakes.sort_by_key(|m| if m.file == path { (m.line, m.column) } else { (usize::MAX, 0) });
         match scene {
             Some(scene) if mistakes.is_empty() => Ok(scene),
@@ -87,7 +86,7 @@ impl Scene {
     }
 }
 
-/// A scene file with its changes.
+/// Reads a scene file with its changes.
 fn document(
     path: &Path,
     overrides: &[Override],
@@ -100,7 +99,7 @@ fn document(
     Ok(document)
 }
 
-/// The scene, as far as it can be made; faults are left with the reader.
+/// Creates the scene as far as possible; the reader collects errors.
 pub(super) fn scene(reader: &Reader, files: &mut Files) -> Option<Scene> {
     let root = reader.root();
     let (law, filter) = law::read(&root, files);
@@ -197,7 +196,7 @@ pub(super) fn scene(reader: &Reader, files: &mut Files) -> Option<Scene> {
     Some(scene)
 }
 
-/// A bounding sphere inside of what captures rays shows nothing.
+/// Reports a bounding sphere inside a capture region, which would show nothing.
 fn check_bound(root: &TableReader, law: &dyn Law, bound: Bound) {
     let swallows = |capture: &Capture| {
         capture.anchor.offset(bound.center).length() + bound.radius <= capture.radius && capture.radius > 0.0
@@ -208,10 +207,10 @@ fn check_bound(root: &TableReader, law: &dyn Law, bound: Bound) {
     }
 }
 
-/// The law as the camera sees it: at its time, and with its axes if they are the law's.
+/// Returns the law at the camera's time and, if the law uses them, with the camera's axes.
 fn seen(root: &TableReader, law: Arc<dyn Law>, camera: Option<&Camera>) -> Option<Arc<dyn Law>> {
     if camera.is_none() && law.facts().curve().is_some_and(|curve| curve.turned.is_some()) {
-        // A camera that cannot be used is reported as such.
+        // An invalid camera is already reported.
         if root.node("camera").is_none() {
             let problem = "the law has the camera's axes, and the scene has no camera";
             root.fault(&["law"], problem, "write axes = \"scene\", or add [camera]");
@@ -222,7 +221,7 @@ fn seen(root: &TableReader, law: Arc<dyn Law>, camera: Option<&Camera>) -> Optio
     Some(law.seen(axes, camera.map_or(0.0, |camera| camera.time)).unwrap_or(law))
 }
 
-/// `by_paths`: is the picture made of random paths?
+/// Reads `[output]`; `by_paths` is `true` for path tracing.
 fn output(root: &TableReader, by_paths: bool) -> Output {
     let mut output = Output::default();
     if let Some(table) = root.subtable("output", "output") {
@@ -256,7 +255,7 @@ const SHADOWS: &[(&str, Shadows)] = &[
     ("curved-rays", Shadows::Shooting),
 ];
 
-/// What light cannot be shot through, or at.
+/// Reports laws and objects that the shooting method does not support.
 fn check_shooting(table: &TableReader, is_point: bool, optics: &Optics) {
     if !is_point {
         let help = "use shadows = \"photon-grid\" or \"straight-rays\", or a point light far away";
@@ -268,7 +267,7 @@ fn check_shooting(table: &TableReader, is_point: bool, optics: &Optics) {
     }
 }
 
-/// Under some laws no light can be sent anywhere.
+/// Reports laws under which light cannot be traced from a source.
 fn check_aimed(table: &TableReader, optics: &Optics) {
     if let Some(why) = optics.law.and_then(|law| law.facts().refuses_sent_light) {
         let help = "use shadows = \"straight-rays\"";
@@ -286,7 +285,7 @@ fn light_grid(table: &TableReader) -> LightGrid {
     }
 }
 
-/// `reach` is the bounding sphere's radius.
+/// Reads a light; `reach` is the radius of the bounding sphere.
 fn light(table: TableReader, reach: f64, optics: &Optics) -> Option<Light> {
     let kinds = word(&[("point", true), ("directional", false)]);
     let point = table.decide_required("kind", "\"point\"", kinds);
@@ -299,7 +298,7 @@ fn light(table: TableReader, reach: f64, optics: &Optics) -> Option<Light> {
             table.required("direction", "[0, -1, 0]", direction).map(LightSource::Directional)
         }
     });
-    // Light from far away is as bright everywhere.
+    // The light of a directional source does not fall off.
     let falls = point == Some(true) && table.or("falloff", false, word(&[("none", false), ("inverse-square", true)]));
     let straight = shadows == Shadows::Straight;
     let clear = if straight { table.or("transparent", Clear::Open, word(&Clear::WORDS)) } else { Clear::Open };

@@ -1,11 +1,11 @@
-//! `rays.lighting` and `[path_tracing]`: whether light goes from surface to surface.
+//! The reader of `rays.lighting` and `[path_tracing]`.
 
 use crate::document::reader::TableReader;
 use crate::document::values::{boolean, whole, word};
 use crate::model::Law;
 use crate::scene::{Light, Paths};
 
-/// The paths that light takes from surface to surface, if it does.
+/// Reads the settings of path tracing, if the scene uses it.
 pub fn read(root: &TableReader, rays: Option<&TableReader>, law: Option<&dyn Law>) -> Option<Paths> {
     let follows =
         rays.is_some_and(|rays| rays.or("lighting", false, word(&[("direct", false), ("path-tracing", true)])));
@@ -30,7 +30,7 @@ pub fn read(root: &TableReader, rays: Option<&TableReader>, law: Option<&dyn Law
     follows.then_some(paths)
 }
 
-/// Lights that no path can meet.
+/// Reports lights that no path can hit.
 pub fn refuse(root: &TableReader, lights: &[Light]) {
     if !lights.is_empty() {
         let problem = "lights without a surface are never met by a path, so that they give it nothing";

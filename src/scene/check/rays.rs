@@ -1,4 +1,4 @@
-//! `[rays]`: how rays are followed.
+//! The reader of `[rays]`, which sets the integration of rays.
 
 use glam::DVec3;
 
@@ -18,7 +18,7 @@ const ACCELERATE: &[(&str, Accelerate)] = &[
     ("none", Accelerate::None),
 ];
 
-/// None for what a calibration finds.
+/// The precisions by name; `None` for the one that a calibration chooses.
 const PRECISIONS: &[(&str, Option<Precision>)] = &[
     (Precision::Half.name(), Some(Precision::Half)),
     (Precision::Single.name(), Some(Precision::Single)),
@@ -26,7 +26,7 @@ const PRECISIONS: &[(&str, Option<Precision>)] = &[
     ("auto", None),
 ];
 
-/// The table itself, which every scene has.
+/// Returns the table, which every scene must have.
 pub fn table<'r, 'a>(root: &TableReader<'r, 'a>) -> Option<TableReader<'r, 'a>> {
     if root.node("rays").is_none() {
         let problem = "the table [rays] is missing";
@@ -37,7 +37,7 @@ pub fn table<'r, 'a>(root: &TableReader<'r, 'a>) -> Option<TableReader<'r, 'a>> 
     root.subtable("rays", "rays")
 }
 
-/// All but the bound, which was read before. None without it.
+/// Reads everything except the bounding sphere, which was read before; returns `None` without it.
 pub fn read(table: TableReader, bound: Option<Bound>, optics: &Optics) -> Option<Rays> {
     let length = table.optional("max_parameter", positive);
     let own = optics.law.and_then(|law| law.facts().length);
@@ -47,7 +47,7 @@ pub fn read(table: TableReader, bound: Option<Bound>, optics: &Optics) -> Option
     let (named, auto) = method(&table, optics, demands);
     let (method, control) = match named {
         Some(named) => named.read(&table),
-        // Until a calibration has run.
+        // The settings until a calibration has run.
         None => (method::PLANNED, control::scaled::with(0.1)),
     };
     let precision = table.or("precision", Some(Precision::Single), word(PRECISIONS));
@@ -90,7 +90,7 @@ pub fn read(table: TableReader, bound: Option<Bound>, optics: &Optics) -> Option
         leaps: true,
         branches,
         accelerate,
-        // Where there is nothing to meet, both transports are the same.
+        // Without objects, both kinds of lighting are equal.
         paths: optics.paths.filter(|_| !optics.objects.is_empty()),
         wavelength,
     })
@@ -100,7 +100,7 @@ fn wavelength(node: &Node) -> Read<f64> {
     number_where("a wavelength above 0 nm", |x| x > 0.0)(node)
 }
 
-/// What is followed where a surface splits a ray: on paths one of the two.
+/// Reads the rays that continue after a split; path tracing follows one of the two.
 fn branching(table: &TableReader, optics: &Optics) -> Branches {
     let usual = if optics.paths.is_some() { Branches::Random } else { Branches::Enumerated(4) };
     let wanted = table.or("max_splits", usual, branches);
@@ -111,13 +111,13 @@ fn branching(table: &TableReader, optics: &Optics) -> Branches {
     wanted
 }
 
-/// The method that the scene names, or the one that what it says calls for; none where a calibration finds it, or where closed forms
-/// need none. And was it left to `auto`?
+/// Returns the method that the scene specifies or that its other keys imply, or `None` if a calibration chooses it or closed forms suffice;
+/// and `true` if the choice is `auto`.
 fn method(table: &TableReader, optics: &Optics, demands: Demands) -> (Option<Named>, bool) {
     let names = method::names();
     let words: Vec<&str> = std::iter::once("auto").chain(names.iter().map(|(name, _)| name.as_str())).collect();
     let Some(chosen) = table.decide("method", None, |node| choice(&words)(node).map(Some)) else {
-        // It is reported; all keys of methods are let be.
+        // The error is reported, and all keys of methods are accepted.
         return (Some(Named::plain(default_method(table, optics, demands).unwrap_or(method::PLANNED))), false);
     };
     let named = match chosen {
@@ -138,7 +138,7 @@ fn method(table: &TableReader, optics: &Optics, demands: Demands) -> (Option<Nam
     }
 }
 
-/// A depth, or `"stochastic"`.
+/// Reads a number of splits, or `"stochastic"`.
 fn branches(node: &Node) -> Read<Branches> {
     match &node.value {
         Value::Text(_) => word(&[("stochastic", Branches::Random)])(node),
@@ -146,7 +146,7 @@ fn branches(node: &Node) -> Read<Branches> {
     }
 }
 
-/// Beyond the bound one center's orbits go on in closed form, which has to be about the bound's own center.
+/// Checks that the law has one center, at the center of the bounding sphere: beyond it, orbits continue in closed form.
 fn check_asymptotic(table: &TableReader, law: &dyn Law, bound: Bound) {
     let Some(center) = law.facts().orbit.filter(|orbit| orbit.is_free_far_away).map(|orbit| orbit.center) else {
         let problem = "`sky_at_infinity` is for a hole's own law or one inverse-square source";
@@ -159,7 +159,7 @@ fn check_asymptotic(table: &TableReader, law: &dyn Law, bound: Bound) {
     }
 }
 
-/// What chooses steps chooses a method with them; a scene that says nothing leaves both to a calibration.
+/// Returns the default method for the step-size keys; without such keys a calibration chooses both.
 fn default_method(table: &TableReader, optics: &Optics, demands: Demands) -> Option<method::Method> {
     let given = |keys: &[&str]| keys.iter().any(|key| table.gives(key));
     if !optics.bends() {
@@ -175,7 +175,7 @@ fn default_method(table: &TableReader, optics: &Optics, demands: Demands) -> Opt
     }
 }
 
-/// `"0.1px"`, or radians.
+/// Reads an accuracy such as `"0.1px"`, or in radians.
 fn accuracy(node: &Node) -> Read<Accuracy> {
     const WHAT: &str = "an angle in radians, or in pixels such as \"0.1px\"";
     match &node.value {
@@ -188,12 +188,12 @@ fn accuracy(node: &Node) -> Read<Accuracy> {
     }
 }
 
-/// The bounding sphere.
+/// Reads the bounding sphere.
 pub fn bound(table: &TableReader) -> Option<Bound> {
     const EXAMPLE: &str = "{ center = [0, 0, 0], radius = 50 }";
     let node = table.required_node("bounding_sphere", EXAMPLE)?;
     if !matches!(node.value, Value::Table(_)) {
-        // Who writes a number means the radius.
+        // A plain number is the radius.
         let radius = positive(node).unwrap_or(50.0);
         let help = format!("for example bounding_sphere = {{ radius = {radius} }}");
         table.reader.fault(Fault { help, ..node.expected("a table") });
@@ -206,7 +206,7 @@ pub fn bound(table: &TableReader) -> Option<Bound> {
     Some(Bound { center, radius: radius? })
 }
 
-/// Does the method that is named, if one is, go in straight steps?
+/// Returns `true` if the scene specifies a method with straight steps.
 fn is_polygon(table: &TableReader) -> bool {
     let written = table.node("method").and_then(|node| text(node).ok());
     method::names().iter().any(|(name, named)| Some(&**name) == written && named.kind.polygon)

@@ -1,22 +1,22 @@
-//! Interiors that overlap: which of them is there has to be said; and how many objects have an inside.
+//! The check of interiors: overlapping interiors need a priority, and the number of objects with an inside is limited.
 //!
-//! One object inside of another needs no word: the inner one is there. Where two of the same priority overlap in part, or lie
-//! in one place, nothing says which; that is found by points of each one's surface, so that an overlap smaller than their spacing may pass.
+//! If one object is inside another, the inner one wins without a priority. If two of equal priority overlap partially or coincide, the
+//! scene is ambiguous. Points on each surface detect this, so that an overlap smaller than their spacing may be missed.
 
 use crate::document::reader::Reader;
 use crate::document::{Fault, Place};
 use crate::model::{Material, Object, Substance};
 use glam::DVec3;
 
-/// Rays carry the set of the objects that they are in as so many bits; closed mirrors are among them.
+/// The largest number of objects with an inside: a ray stores the objects that contain it in this many bits, including closed mirrors.
 const MOST: usize = 32;
-/// Points on a surface.
+/// The number of points on a surface.
 const POINTS: usize = 400;
-/// What is nearer to a surface than this part of its distance from the origin lies on it.
+/// The distance, relative to the distance from the origin, below which a point counts as on a surface.
 const TOUCHES: f64 = 1e-6;
 
-/// Replaces objects on one side of which rays are by their solids. Those that one object has more than one of come last, so that
-/// the numbers of all other objects stay those of the file.
+/// Replaces objects whose side rays track by their solids. Additional solids of an object come last, so that the indices of all other
+/// objects remain those of the file.
 pub fn solids(objects: Vec<(Place, Object)>, materials: &[Material]) -> Vec<(Place, Object)> {
     let (mut first, mut more) = (Vec::with_capacity(objects.len()), Vec::new());
     for (place, object) in objects {
@@ -32,7 +32,7 @@ pub fn solids(objects: Vec<(Place, Object)>, materials: &[Material]) -> Vec<(Pla
     first
 }
 
-/// Are rays on one side of its surface, or the other?
+/// Returns `true` if rays track their side of the surface.
 fn is_sided(object: &Object, materials: &[Material]) -> bool {
     let continues = |i: usize| materials.get(i).is_some_and(|material| material.surface.facts().continues);
     match object.substance {
@@ -41,7 +41,7 @@ fn is_sided(object: &Object, materials: &[Material]) -> bool {
     }
 }
 
-/// Records what is wrong with the interiors of objects, each given with its place in the file.
+/// Reports errors of the interiors of objects, each with its location in the file.
 pub fn check(reader: &Reader, objects: &[(Place, Object)], materials: &[Material]) {
     for (place, object) in objects {
         let is_translucent = |i: usize| materials.get(i).is_some_and(|material| material.surface.facts().opacity < 1.0);
@@ -78,11 +78,11 @@ pub fn check(reader: &Reader, objects: &[(Place, Object)], materials: &[Material
 
 fn same_priority(first: &Object, second: &Object) -> bool {
     let Some((first, second)) = first.interior().zip(second.interior()) else { return false };
-    // Two parts of one and the same medium may overlap as they like.
+    // Two regions of one medium may overlap.
     first.priority == second.priority && *first.medium != *second.medium
 }
 
-/// Are some points of each one's surface inside of the other, and some outside?
+/// Returns `true` if each surface has points inside and outside the other object.
 fn overlap_in_part(first: &Object, second: &Object) -> bool {
     let inside = |of: &Object, other: &Object| {
         let decided = surface_points(of).into_iter().filter(|x| !touches(other, *x));
@@ -91,7 +91,7 @@ fn overlap_in_part(first: &Object, second: &Object) -> bool {
     };
     let ((a_in, a_out), (b_in, b_out)) = (inside(first, second), inside(second, first));
     if a_in + a_out + b_in + b_out == 0 {
-        // All of each lies on the other: they are in one place, unless they lie back to back.
+        // If all points of each surface are on the other, the objects coincide, unless they touch from opposite sides.
         let middle = first.transform.0.translation;
         return first.contains(middle) && second.contains(middle);
     }
@@ -104,7 +104,7 @@ fn touches(object: &Object, x: DVec3) -> bool {
     object.gap(x).is_some_and(|gap| gap.abs() <= TOUCHES * (x.length() + gap.abs()))
 }
 
-/// Points all over a surface, in the scene.
+/// Returns points distributed over a surface, in scene coordinates.
 fn surface_points(object: &Object) -> Vec<DVec3> {
     let own: Vec<DVec3> = match object.shape.mesh() {
         Some(mesh) => {
@@ -117,7 +117,7 @@ fn surface_points(object: &Object) -> Vec<DVec3> {
     own.into_iter().map(|p| object.transform.0.transform_point3(p)).collect()
 }
 
-/// Evenly spread, as the seeds of a sunflower.
+/// Returns evenly distributed directions on a Fibonacci spiral.
 fn directions() -> impl Iterator<Item = DVec3> {
     (0..POINTS).map(|i| {
         let y = 1.0 - (2.0 * i as f64 + 1.0) / POINTS as f64;

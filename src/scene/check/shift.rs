@@ -1,4 +1,4 @@
-//! Light that is shifted, and matter that orbits: what a scene needs for them.
+//! The requirements of redshift and of orbiting matter on a scene.
 
 use glam::DVec3;
 
@@ -6,13 +6,13 @@ use crate::document::reader::{Reader, TableReader};
 use crate::document::{Fault, Place};
 use crate::model::{Camera, Filter, Law, Material, Object, matter};
 
-/// What else than the camera stands in light's way, and matter's.
+/// The properties of the scene, except the camera, that affect the light and the orbits of matter.
 pub struct Rest<'a> {
     pub law: Option<&'a dyn Law>,
     pub materials: &'a [Material],
     pub filter: Option<&'a Filter>,
     pub paths: bool,
-    /// How far orbits go out.
+    /// The largest radius of orbits.
     pub reach: f64,
 }
 
@@ -37,9 +37,9 @@ pub fn check(root: &TableReader, camera: Option<&Camera>, rest: &Rest) {
     }
 }
 
-/// Matter that goes round is in the plane of its orbits.
+/// Checks that orbiting matter is in the plane of its orbits.
 pub fn check_discs(reader: &Reader, placed: &[(Place, Object)], materials: &[Material], law: &dyn Law) {
-    /// The sine of the angle between the two planes, and the distance between them as a part of the disc's size, at most.
+    /// The largest sine of the angle between the two planes, and the largest distance between them relative to the size of the disk.
     const OFF: f64 = 1e-3;
     let Some([center, axis]) = law.equator() else { return };
     for (place, object) in placed {

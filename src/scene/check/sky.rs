@@ -1,4 +1,4 @@
-//! `[sky]`: what the distance looks like; `sky = "transparent"` is none.
+//! The reader of `[sky]`, the background; `sky = "transparent"` means no background.
 
 use glam::DVec3;
 
@@ -9,7 +9,7 @@ use crate::document::{Node, Value};
 use crate::model::Law;
 use crate::scene::Sky;
 
-/// Black unless the scene says otherwise; and the other side's, where it has one of its own.
+/// Reads the sky, which defaults to black, and the sky of the other side, if it has a separate one.
 pub fn read(root: &TableReader, files: &mut Files, law: Option<&dyn Law>, paths: bool) -> (Sky, Option<Sky>) {
     let Some(node) = root.node("sky") else { return (BLACK, None) };
     if let Value::Text(_) = node.value {
@@ -65,7 +65,7 @@ fn faces(table: &TableReader, node: &Node, files: &mut Files) -> Option<[usize; 
         reader.fault(node.expected("six files, [+x, -x, +y, -y, +z, -z]"));
         None
     })?;
-    // All are loaded before any is missed.
+    // All images are loaded before the first error returns, so that every error is reported.
     let pictures = names.map(|name| files.picture(reader, name));
     let found: Vec<usize> = pictures.into_iter().flatten().collect();
     found.try_into().ok()

@@ -1,4 +1,4 @@
-//! Objects that move: what a scene needs for them.
+//! The requirements of moving objects on a scene.
 
 use glam::DVec3;
 

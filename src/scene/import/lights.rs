@@ -1,4 +1,4 @@
-//! Lights of `KHR_lights_punctual`.
+//! The import of lights from `KHR_lights_punctual`.
 
 use std::f64::consts::PI;
 
@@ -10,8 +10,8 @@ use crate::assets::json::extensions::scene::khr_lights_punctual::Type;
 use crate::assets::json::validation::Checked::Valid;
 use crate::assets::{Gltf, Placed};
 
-/// The tables of the lights, and where those are that are somewhere. Without any, and where no surface shines, one is added at
-/// the side of who is at `eye`.
+/// Returns the tables of the lights and the positions of point lights. If there are no lights and no surface emits, a light is added next
+/// to the viewer at `eye`.
 pub(super) fn lights(
     file: &Gltf,
     nodes: &[Placed],

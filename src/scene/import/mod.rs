@@ -1,10 +1,10 @@
-//! A scene from a glTF file: its nodes as objects, its materials, cameras and lights as near as ours come.
+//! The import of glTF files: nodes become objects, and materials, cameras and lights their closest equivalents.
 //!
-//! *Theory.* What the file says of metal and roughness becomes a mirror, a lobe about the mirror's direction, or a matte surface with
-//! a highlight. An intensity in candela or lux gives a white surface that faces it a π-th of that as radiance.
+//! *Theory.* Metallic and rough surfaces become mirrors, lobes around the mirror direction, or matte surfaces with a highlight. An
+//! intensity in candela or lux, divided by π, is the radiance of a white surface that faces the light.
 //!
-//! *Practice.* The scene names the file, and chooses in it by node and primitive: triangles stay where they are, and those that several
-//! nodes show are read once. Whatever has no place here is collected in [`Imported::left_out`], each kind once.
+//! *Practice.* The scene references the file, and selects nodes and primitives in it: triangles are not copied, and a mesh that several
+//! nodes reference is read once. [`Imported::left_out`] lists each kind of unsupported feature once.
 
 mod lights;
 mod surfaces;
@@ -27,18 +27,18 @@ use crate::model::shape::{Shape, Triangles, round_up};
 use surfaces::Surfaces;
 use text::{Left, number, quoted, relative, vector};
 
-/// A scene that was made from a file.
+/// A scene converted from a file.
 #[derive(Debug)]
 pub struct Imported {
-    /// The scene's file.
+    /// The text of the scene file.
     pub text: String,
-    /// Pictures that were within the file, to be written beside the scene: their names and their bytes.
+    /// The names and bytes of embedded images, to be written next to the scene.
     pub pictures: Vec<(String, Vec<u8>)>,
-    /// What could not be taken over, and what was added.
+    /// The features that were skipped or added.
     pub left_out: Vec<String>,
 }
 
-/// The ball that holds what is seen, and whence.
+/// The bounding box of visible geometry and cameras.
 struct Extent {
     lo: DVec3,
     hi: DVec3,
@@ -54,7 +54,7 @@ impl Extent {
     }
 }
 
-/// Makes a scene of a file; `scene` is where it will be written.
+/// Converts a file to a scene; `scene` is the path where it will be written.
 pub fn import(file: &Gltf, scene: &Path) -> Result<Imported, SceneError> {
     let folder = scene.parent().unwrap_or(Path::new(""));
     let stem = scene.file_stem().map_or_else(|| "scene".into(), |stem| stem.to_string_lossy());
@@ -83,7 +83,7 @@ pub fn import(file: &Gltf, scene: &Path) -> Result<Imported, SceneError> {
     Ok(Imported { text, pictures, left_out: left.said() })
 }
 
-/// What there is in the file besides nodes.
+/// Records features of the file that do not belong to nodes.
 fn of_the_file(root: &Root, left: &mut Left) {
     const READ: [&str; 7] = [
         "KHR_lights_punctual",
@@ -106,7 +106,7 @@ fn of_the_file(root: &Root, left: &mut Left) {
     }
 }
 
-/// The objects, and what they fill; nothing if there are none.
+/// Returns the objects and their extent; fails if there are none.
 fn objects(
     file: &Gltf,
     nodes: &[Placed],

@@ -1,8 +1,8 @@
-//! Materials: metal and roughness as mirrors, lobes, and matte surfaces with a highlight.
+//! The import of materials: metallic and rough surfaces as mirrors, lobes, and matte surfaces with a highlight.
 //!
-//! *Theory.* A roughness r makes slopes of width r² (Trowbridge and Reitz), about as Blinn's exponent 2/r⁴ − 2 does of the half vector; about
-//! the mirror's direction the exponent is a quarter of that. What is no metal reflects 0.04 head on; a lobe of exponent e that holds
-//! as much is (e + 8)/8 times as high. Lamps light matte surfaces only, so rough metal is matte too.
+//! *Theory.* A roughness r means slopes of width r² (Trowbridge–Reitz), which is close to a Blinn exponent 2/r⁴ − 2 of the half vector;
+//! around the mirror direction the exponent is a quarter of it. Dielectrics reflect 0.04 at normal incidence, and a lobe of exponent e with
+//! equal energy is (e + 8)/8 times as high. Lights illuminate matte surfaces only, so rough metals are also matte.
 
 use std::path::Path;
 
@@ -25,19 +25,19 @@ use pictures::Pictures;
 pub(super) struct Surfaces<'a> {
     file: &'a Gltf,
     pictures: Pictures<'a>,
-    /// Those that are written: their numbers in the file, whether vertex colors multiply them, and their names.
+    /// The materials written so far: index in the file, use of vertex colors, and name.
     known: Vec<(Option<usize>, bool, String)>,
     text: String,
     shines: bool,
 }
 
-/// From here on a surface is rough enough to look matte.
+/// The roughness above which a surface looks matte.
 const MATTE: f64 = 0.2;
-/// Below this one is a mirror.
+/// The roughness below which a surface is a mirror.
 const SMOOTH: f64 = 0.05;
-/// The color of surfaces whose picture cannot be had.
+/// The color of surfaces whose image cannot be loaded.
 const MISSING: DVec3 = DVec3::new(1.0, 0.0, 1.0);
-/// What surfaces that are no metal reflect head on.
+/// The reflectance of dielectrics at normal incidence.
 const DIELECTRIC: f64 = 0.04;
 
 impl<'a> Surfaces<'a> {
@@ -46,17 +46,17 @@ impl<'a> Surfaces<'a> {
         Self { file, pictures, known: Vec::new(), text: String::new(), shines: false }
     }
 
-    /// Does one of them shine?
+    /// Returns `true` if one of the materials emits.
     pub fn shines(&self) -> bool {
         self.shines
     }
 
-    /// The tables, and the pictures to write.
+    /// Returns the tables, and the images to write.
     pub fn finish(self) -> (String, Vec<(String, Vec<u8>)>) {
         (self.text, self.pictures.within)
     }
 
-    /// The key that says what an object is made of; `has_vertex_colors` if its mesh has some.
+    /// Returns the key of an object's substance; `has_vertex_colors` is `true` if its mesh has vertex colors.
     pub fn substance(
         &mut self,
         number: Option<usize>,
@@ -90,7 +90,7 @@ impl<'a> Surfaces<'a> {
         format!("material = {}", quoted(&self.named(number, has_vertex_colors, left)))
     }
 
-    /// The name of a material, which is written if it is not yet.
+    /// Returns the name of a material, and writes the material if it is new.
     fn named(&mut self, index: Option<usize>, has_vertex_colors: bool, left: &mut Left) -> String {
         let is_it = |(known, colored, _): &&(_, _, String)| (*known, *colored) == (index, has_vertex_colors);
         if let Some((.., name)) = self.known.iter().find(is_it) {
@@ -108,7 +108,7 @@ impl<'a> Surfaces<'a> {
         name
     }
 
-    /// The keys of a material.
+    /// Returns the keys of a material.
     fn keys(&mut self, material: &Material, has_vertex_colors: bool, name: &str, left: &mut Left) -> String {
         let pbr = &material.pbr_metallic_roughness;
         let extensions = material.extensions.as_ref();
@@ -156,8 +156,8 @@ impl<'a> Surfaces<'a> {
         keys
     }
 
-    /// The path of a picture, and magenta if it cannot be had: nobody takes that for what was meant. `factor` is what it would be
-    /// multiplied with.
+    /// Returns the path of an image, or magenta, which is clearly wrong, if it cannot be loaded. `factor` is the color that would multiply
+    /// it.
     fn picture(&mut self, info: &Info, factor: DVec3, name: &str, left: &mut Left) -> Base {
         let texture: Option<&Texture> = self.file.root.get(info.index);
         let path = image_number(texture, name, left).and_then(|number| self.pictures.path(number, left));
@@ -177,7 +177,7 @@ impl<'a> Surfaces<'a> {
         Base::Image(path)
     }
 
-    /// How much of a surface is metal, and how rough it is: on the mean.
+    /// Returns the mean metalness and roughness of a surface.
     fn metal_and_roughness(&mut self, material: &Material, name: &str, left: &mut Left) -> (f64, f64) {
         let pbr = &material.pbr_metallic_roughness;
         let (metal, rough) = (f64::from(pbr.metallic_factor.0), f64::from(pbr.roughness_factor.0));
@@ -189,7 +189,7 @@ impl<'a> Surfaces<'a> {
     }
 }
 
-/// The number of a texture's image.
+/// Returns the index of a texture's image.
 fn image_number(texture: Option<&Texture>, name: &str, left: &mut Left) -> Option<usize> {
     let number = texture.and_then(image_of);
     if number.is_none() {
@@ -198,7 +198,7 @@ fn image_number(texture: Option<&Texture>, name: &str, left: &mut Left) -> Optio
     number
 }
 
-/// What there is on a material that ours have not.
+/// Records features of a material that the scene format does not support.
 fn lost(material: &Material, name: &str, left: &mut Left) {
     if material.normal_texture.is_some() {
         left.out("pictures of normals", name);
@@ -211,25 +211,25 @@ fn lost(material: &Material, name: &str, left: &mut Left) {
     }
 }
 
-/// Blinn's exponent of a roughness.
+/// Returns the Blinn exponent of a roughness.
 fn blinn(rough: f64) -> f64 {
     (2.0 / rough.clamp(0.01, 1.0).powi(4) - 2.0).clamp(0.0, 1e6)
 }
 
-/// A matte surface with the highlight of its roughness.
+/// Returns a matte surface with the highlight of its roughness.
 fn matte(pattern: &Paint, rough: f64) -> String {
     let exponent = blinn(rough).min(1e4);
     let height = (DIELECTRIC * (exponent + 8.0) / 8.0).min(0.5);
     highlight(&format!("diffuse = {pattern}\n"), DVec3::splat(height), exponent)
 }
 
-/// Half of what a rough metal gives back is matte, and half in its highlight.
+/// Returns a rough metal, which reflects half of the light diffusely and half in its highlight.
 fn matte_metal(pattern: &Paint, rough: f64) -> String {
     let base = match &pattern.base {
         Base::Color(color) => Base::Color(0.5 * *color),
         image @ Base::Image(_) => image.clone(),
     };
-    // The highlight has one color.
+    // A highlight has a single color.
     let height = pattern.constant().map_or(DVec3::splat(0.3), |color| 0.5 * color);
     highlight(
         &format!("diffuse = {}\n", Paint { base, has_vertex_colors: pattern.has_vertex_colors }),
@@ -239,17 +239,17 @@ fn matte_metal(pattern: &Paint, rough: f64) -> String {
 }
 
 fn highlight(diffuse: &str, height: DVec3, exponent: f64) -> String {
-    // So broad a highlight is as matte as the rest.
+    // So broad a highlight is indistinguishable from the matte term.
     if exponent < 2.0 || height.max_element() <= 0.0 {
         return diffuse.to_owned();
     }
     format!("{diffuse}specular = {}\nshininess = {}\n", color(height), number(exponent))
 }
 
-/// Returns the density σ of a volume, per unit length, that absorbs light; `None` if it absorbs none. White light becomes the volume's
-/// color on its distance: e^(−σ d) = c. Rays go through the mesh itself, so that `thickness` says only whether there is a volume.
+/// Returns the absorption coefficient σ of a volume per unit length, or `None` if it does not absorb. White light acquires the volume's
+/// color c over its distance d: e^(−σ d) = c. Rays pass through the mesh, so that `thickness` only indicates a volume.
 fn absorption(volume: &Volume, name: &str, left: &mut Left) -> Option<DVec3> {
-    /// Optical depth of the distance for a channel that nothing is left of.
+    /// The optical depth over the distance for a channel that is fully absorbed.
     const OPAQUE: f64 = 1e6;
     let color = Vec3::from(volume.attenuation_color.0).as_dvec3();
     let distance = f64::from(volume.attenuation_distance.0);
@@ -268,7 +268,7 @@ fn absorption(volume: &Volume, name: &str, left: &mut Left) -> Option<DVec3> {
     Some(color.to_array().map(|c| (-c.ln()).clamp(0.0, OPAQUE) / distance).into())
 }
 
-/// An index of refraction that a medium may have.
+/// Returns a valid index of refraction as text.
 fn number_above_one(index: f64) -> String {
     number(index.clamp(1.0, 10.0))
 }

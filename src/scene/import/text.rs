@@ -1,4 +1,4 @@
-//! Words and numbers of a scene's file, and of what is left out.
+//! The text of scene files and of skipped features.
 
 use std::path::Path;
 
@@ -6,9 +6,9 @@ use glam::DVec3;
 
 use crate::document::values::{LARGEST, SMALLEST};
 
-/// A number as a scene may have it: with the digits of 32 bits, unless these are too few to place it.
+/// Returns a number as text, with the digits of 32 bits unless these move a point too far.
 pub(super) fn number(value: f64) -> String {
-    /// How far rounding may move a point, scene units.
+    /// The largest error of rounding, in scene units.
     const TOO_FAR: f64 = 1e-6;
     let value = if value.is_finite() { value.clamp(-LARGEST, LARGEST) } else { 0.0 };
     let value = if value.abs() < SMALLEST { 0.0 } else { value };
@@ -20,12 +20,12 @@ pub(super) fn vector(value: DVec3) -> String {
     format!("[{}, {}, {}]", number(value.x), number(value.y), number(value.z))
 }
 
-/// A color: nothing in it is below 0.
+/// Returns a color as text, with negative channels set to 0.
 pub(super) fn color(value: DVec3) -> String {
     vector(value.max(DVec3::ZERO))
 }
 
-/// A string in quotes.
+/// Returns a string in quotes.
 pub(super) fn quoted(text: &str) -> String {
     let escaped = text.chars().map(|sign| match sign {
         '"' => "\\\"".to_owned(),
@@ -36,13 +36,13 @@ pub(super) fn quoted(text: &str) -> String {
     format!("\"{}\"", escaped.collect::<String>())
 }
 
-/// The key of a table: bare where it can be.
+/// Returns the key of a table, without quotes if possible.
 pub(super) fn key(name: &str) -> String {
     let is_bare = !name.is_empty() && name.chars().all(|sign| sign.is_ascii_alphanumeric() || "-_".contains(sign));
     if is_bare { name.to_owned() } else { quoted(name) }
 }
 
-/// A file's path as a scene in this folder names it.
+/// Returns the path of a file relative to the folder of the scene.
 pub(super) fn relative(path: &Path, folder: &Path) -> String {
     let folder = if folder.as_os_str().is_empty() { Path::new(".") } else { folder };
     let (Ok(file), Ok(folder)) = (path.canonicalize(), folder.canonicalize()) else {
@@ -54,7 +54,7 @@ pub(super) fn relative(path: &Path, folder: &Path) -> String {
     if same == 0 { file.display().to_string() } else { up.chain(down).collect::<Vec<_>>().join("/") }
 }
 
-/// What could not be taken over: each kind once, with those that have it.
+/// The skipped features, each kind once with the items that use it.
 #[derive(Default)]
 pub(super) struct Left {
     kinds: Vec<(String, Vec<String>)>,
@@ -62,10 +62,10 @@ pub(super) struct Left {
 }
 
 impl Left {
-    /// Names of what has something that is left out.
+    /// The largest number of items listed per feature.
     const TOLD: usize = 3;
 
-    /// This was left out, of what has this name; an empty one is the file.
+    /// Records a skipped feature `what` of the item `of`; an empty name is the file.
     pub fn out(&mut self, what: &str, of: &str) {
         let at = self.kinds.iter().position(|(kind, _)| kind == what).unwrap_or_else(|| {
             self.kinds.push((what.to_owned(), Vec::new()));
@@ -77,7 +77,7 @@ impl Left {
         }
     }
 
-    /// This was added, which the file does not have.
+    /// Records an addition that is not in the file.
     pub fn added(&mut self, what: &str) {
         self.added.push(what.to_owned());
     }

@@ -1,4 +1,4 @@
-//! Cameras: the first of the file is the scene's, the others are written as comments.
+//! The import of cameras: the first becomes the scene's, and the others are written as comments.
 
 use glam::DVec3;
 
@@ -7,19 +7,19 @@ use super::text::{Left, number, vector};
 use crate::assets::json::Camera;
 use crate::assets::{Gltf, Placed};
 
-/// Where a camera is and how it looks.
+/// The placement and projection of a camera.
 struct View {
     name: String,
     position: DVec3,
     forward: DVec3,
     up: DVec3,
-    /// What says what it shows.
+    /// The keys of its projection.
     kind: String,
-    /// Its picture's width over its height.
+    /// The aspect ratio: width divided by height.
     aspect: f64,
 }
 
-/// The tables of the camera and of its picture, and where the cameras are: one at least.
+/// Returns the tables of the camera and of its image, and the positions of all cameras, at least one.
 pub(super) fn cameras(file: &Gltf, nodes: &[Placed], extent: &Extent, left: &mut Left) -> (String, Vec<DVec3>) {
     let mut views: Vec<View> = Vec::new();
     for placed in nodes {

@@ -1,4 +1,4 @@
-//! The color of a surface, as a material's key has it.
+//! The color of a surface in the format of a material's key.
 
 use std::fmt;
 
@@ -6,13 +6,13 @@ use glam::DVec3;
 
 use super::super::text::{color, quoted};
 
-/// A color or an image, and whether it is multiplied by vertex colors.
+/// A color or an image, optionally multiplied by vertex colors.
 pub(super) struct Paint {
     pub base: Base,
     pub has_vertex_colors: bool,
 }
 
-/// What vertex colors would multiply.
+/// The factor that vertex colors multiply.
 #[derive(Clone)]
 pub(super) enum Base {
     Color(DVec3),
@@ -21,7 +21,7 @@ pub(super) enum Base {
 }
 
 impl Paint {
-    /// Returns the color if it is the same everywhere.
+    /// Returns the color, if it is constant.
     pub fn constant(&self) -> Option<DVec3> {
         match self.base {
             Base::Color(color) if !self.has_vertex_colors => Some(color),

@@ -1,4 +1,4 @@
-//! The pictures of a file: those beside it are named, those within it get files of their own.
+//! The import of images: external ones are referenced, and embedded ones are written to files.
 
 use std::collections::HashMap;
 use std::io::Cursor;
@@ -9,14 +9,14 @@ use image::ImageReader;
 use super::super::text::{Left, relative};
 use crate::assets::{Gltf, Picture, StoredPicture};
 
-/// The pictures that are used.
+/// The images in use.
 pub(super) struct Pictures<'a> {
     file: &'a Gltf,
     folder: &'a Path,
     stem: String,
-    /// Their names in the scene, by their numbers in the file; none of one that cannot be used.
+    /// The names in the scene by index in the file; `None` for an unusable image.
     names: HashMap<usize, Option<String>>,
-    /// Those to write, and what is in them.
+    /// The names and contents of embedded images to write.
     pub within: Vec<(String, Vec<u8>)>,
 }
 
@@ -25,7 +25,7 @@ impl<'a> Pictures<'a> {
         Self { file, folder, stem: stem.to_owned(), names: HashMap::new(), within: Vec::new() }
     }
 
-    /// What a scene calls the picture of this number; none if it cannot be used.
+    /// Returns the path of an image in the scene, or `None` if it is unusable.
     pub fn path(&mut self, number: usize, left: &mut Left) -> Option<String> {
         if let Some(known) = self.names.get(&number) {
             return known.clone();
@@ -53,13 +53,13 @@ impl<'a> Pictures<'a> {
         }
     }
 
-    /// What messages call the picture of this number.
+    /// Returns the name of an image in messages.
     fn called(&self, number: usize) -> String {
         let own = self.file.root.images.get(number).and_then(|image| image.name.clone());
         own.filter(|name| !name.is_empty()).unwrap_or_else(|| format!("picture {number}"))
     }
 
-    /// Returns a picture that bentray reads, with the ending of its file's name, or what kind of pictures cannot be had.
+    /// Returns an image that bentray can read, with its file extension, or the kind of an unsupported image.
     fn readable(&self, number: usize) -> Result<(StoredPicture, &'static str), String> {
         let stored = self.file.image(number).map_err(|error| format!("images that cannot be read: {error}"))?;
         let start = match &stored {
@@ -75,7 +75,7 @@ impl<'a> Pictures<'a> {
         Ok((stored, ending))
     }
 
-    /// The means of its numbers, each from 0 to 1; none if it cannot be read.
+    /// Returns the means of its channels, from 0 to 1, or `None` if it cannot be read.
     pub fn mean(&self, number: usize, left: &mut Left) -> Option<[f64; 3]> {
         let mut refuse = |what: String| left.out(&what, &self.called(number));
         let bytes = match self.readable(number).map_err(&mut refuse).ok()?.0 {
