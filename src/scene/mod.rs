@@ -1,11 +1,11 @@
-//! Scenes as plain values: what a TOML file says, checked, with its meshes and pictures loaded.
+//! Scenes as plain values: the checked contents of a TOML file, with its meshes and images loaded.
 //!
-//! *Theory.* A scene is a law of light, a way to follow it, a camera, things to hit and a sky to escape to. Lengths
-//! are in scene units, angles in degrees, colors linear, G = c = 1.
+//! *Theory.* A scene consists of a law of light, a method that integrates rays, a camera, objects and a sky. Lengths are in scene units,
+//! angles in degrees, colors linear, and G = c = 1.
 //!
-//! *Practice.* [`Scene::load`] reads a file in three steps: `document` (the TOML as written, every value with its place in
-//! the file), then `check` (documents to the values below, all mistakes found in one run), with `mesh` and
-//! `picture` loading what the file names. Nothing here knows of a GPU.
+//! *Practice.* [`Scene::load`] reads a file in stages: `document` parses the TOML, with the location of every value in the file; `check`
+//! converts documents to the values below and reports all errors in one run; `mesh` and `picture` load the files that the scene names.
+//! Nothing here depends on a GPU.
 
 mod build;
 mod check;
@@ -58,82 +58,82 @@ use crate::model::Capture;
 use crate::model::method::Demands;
 use optics::Optics;
 
-/// A whole scene: the values of one TOML file, complete and consistent.
+/// A whole scene: the complete and consistent values of one TOML file.
 #[derive(Debug, Clone)]
 pub struct Scene {
-    /// What the picture is.
+    /// The size and sampling of the image.
     pub image: Image,
-    /// Where rays start; a scene made only for `trace` may have none.
+    /// The camera; `None` is valid for `trace` alone.
     pub camera: Option<Camera>,
-    /// How light travels.
+    /// The law of light.
     pub law: Arc<dyn Law>,
-    /// What space takes from light on its way, or adds to it, where no interior is.
+    /// The absorption and emission of space outside interiors.
     pub filter: Option<Filter>,
-    /// How light is followed.
+    /// The integration of rays.
     pub rays: Rays,
-    /// What an escaped ray sees.
+    /// The background of escaped rays.
     pub sky: Sky,
-    /// What one sees that escaped on the other side of a wormhole; none where both sides have the same sky.
+    /// The background on the other side of a wormhole; `None` if both sides have one sky.
     pub beyond: Option<Sky>,
-    /// How radiance becomes a picture file.
+    /// The conversion of radiance to an image file.
     pub output: Output,
-    /// In the order of the file; [`Substance::Opaque`] indexes it.
+    /// The materials in the order of the file; [`Substance::Opaque`] is an index of this list.
     pub materials: Vec<Material>,
-    /// In the order of the file; the object id of every output is the index here.
+    /// The objects in the order of the file; the object id of every output is an index of this list.
     pub objects: Vec<Object>,
-    /// In the order of the file.
+    /// The lights in the order of the file.
     pub lights: Vec<Light>,
-    /// How ambient light is shut out, if it is.
+    /// The ambient occlusion, if the scene uses it.
     pub occlusion: Option<Occlusion>,
-    /// What changes from frame to frame, if anything does.
+    /// The animation, if the scene has one.
     pub animation: Option<Animation>,
-    /// Every picture that a material or the sky uses, each loaded once.
+    /// The images of materials and of the sky, each loaded once.
     pub pictures: Vec<Picture>,
-    /// What the scene's meshes have that is not drawn, such as lines: a sentence for each file.
+    /// The unsupported contents of mesh files, such as lines; one sentence per file.
     pub left_out: Vec<String>,
 }
 
-/// `[image]`: size and sampling.
+/// The table `[image]`: size and sampling.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Image {
-    /// Width and height in pixels.
+    /// The width and height in pixels.
     pub size: [u32; 2],
-    /// Rays per pixel; under adaptive sampling the most that one takes of its own.
+    /// The number of samples per pixel; for adaptive sampling the largest number.
     pub samples: u32,
-    /// Where in a pixel they are, if there are several.
+    /// The distribution of several samples in a pixel.
     pub pattern: SamplePattern,
-    /// Does a pixel stop when its mean is good enough? The standard error at which it is, in what a screen shows, from 0 to 1.
+    /// The standard error of display values, from 0 to 1, at which an adaptive pixel stops; `None` without adaptive sampling.
     pub adaptive: Option<f64>,
-    /// Are pictures and patterns averaged over what a pixel sees of them?
+    /// Is `true` if textures and patterns are averaged over pixel footprints.
     pub footprints: bool,
 }
 
-/// How samples are spread over a pixel.
+/// The distribution of samples over a pixel.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum SamplePattern {
-    /// For a number that is known beforehand.
+    /// A multi-jittered pattern, for a number of samples that is known beforehand.
     MultiJittered,
-    /// Well spread after any power of two of them.
+    /// A progressive pattern, which is well distributed after any power of two of samples.
     Progressive,
 }
 
-/// `[animation]`: its values are in the scene of each frame.
+/// The table `[animation]`, whose values are in the scene of each frame.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Animation {
-    /// How many frames there are, counted from 0.
+    /// The number of frames, counted from 0.
     pub frames: u32,
-    /// How many of them a film shows in a second.
+    /// The number of frames per second of a video.
     pub rate: f64,
-    /// The part of the time between two frames for which the shutter is open, from a frame's own time on: 0 to 1.
+    /// The fraction, 0 to 1, of the frame interval during which the shutter is open, starting at the frame's time.
     pub shutter: f64,
-    /// Moments that a frame shows then, at most: a power of two.
+    /// The largest number of shutter samples of a frame, a power of two.
     pub moments: u32,
-    /// What it moves.
+    /// The animated keys.
     pub keys: Vec<String>,
 }
 
 impl Scene {
-    /// Has light a frequency to whoever is at the camera?
+    /// Returns `true` if light has a frequency for the observer at the camera.
     #[must_use]
     pub fn has_frequencies(&self) -> bool {
         let knows = |camera: &Camera| camera.frame != CameraFrame::Coordinate && camera.is_at_one_place();
@@ -141,8 +141,8 @@ impl Scene {
         is_seen && !self.law.facts().momentum_parts.is_empty() && self.rays.paths.is_none()
     }
 
-    /// The accuracy that the scene asks for, in radians; none if it names a method. A plane camera's pixels have no angle:
-    /// there, and without a camera, a pixel is a thousandth of a radian.
+    /// Returns the required accuracy in radians, or `None` if the scene specifies a method. A pixel counts as a thousandth of a radian if
+    /// there is no camera or the camera is orthographic, because its pixels have no angle.
     #[must_use]
     pub fn accuracy(&self) -> Option<f64> {
         Some(match self.rays.auto?.accuracy {
@@ -151,7 +151,7 @@ impl Scene {
         })
     }
 
-    /// The objects that move, by their places in the file.
+    /// Returns the moving objects with their indices in the file.
     pub fn travels(&self) -> impl Iterator<Item = (usize, &Object, &Travel)> {
         let own = |(i, object): (usize, _)| -> Option<(usize, &Object, &Travel)> {
             let object: &Object = object;
@@ -160,7 +160,7 @@ impl Scene {
         self.objects.iter().enumerate().filter_map(own)
     }
 
-    /// A box about all places that an object comes to: lower and upper corner.
+    /// Returns the lower and upper corner of a bounding box of all positions of an object.
     #[must_use]
     pub fn swept(&self, object: &Object) -> (DVec3, DVec3) {
         let Some(travel) = &object.travel else { return object.bounds() };
@@ -172,38 +172,38 @@ impl Scene {
         })
     }
 
-    /// Every medium: of all space, and of objects.
+    /// Returns every medium, of space and of objects.
     pub fn media(&self) -> impl Iterator<Item = &dyn Medium> {
         let interiors = self.objects.iter().filter_map(|object| Some(&object.interior()?.medium));
         self.law.facts().medium().into_iter().chain(interiors).map(|medium| &**medium)
     }
 
-    /// Has some medium another index for each wavelength?
+    /// Returns `true` if the index of a medium depends on wavelength.
     #[must_use]
     pub fn disperses(&self) -> bool {
         self.media().any(|medium| medium.facts().is_dispersive)
     }
 
-    /// Every filter that light passes: of interiors, and of space.
+    /// Returns the absorption of interiors and of space.
     pub fn filters(&self) -> impl Iterator<Item = &Filter> {
         self.objects.iter().filter_map(|object| object.interior()?.filter.as_deref()).chain(&self.filter)
     }
 
-    /// Does something ask where a path is between its ends: what it may hit, what filters its light, or who draws it?
+    /// Returns `true` if arcs between the ends of a path are needed, for hits, for absorption, or for diagrams.
     #[must_use]
     pub fn needs_arcs(&self) -> bool {
         !self.objects.is_empty() || self.filter.is_some() || !self.rays.leaps
     }
 
-    /// Where rays that move inwards end: as far out as `clearance` allows, the distance from a place to the nearest object; none
-    /// where rays are to be followed as far as they go.
+    /// Returns the capture regions, which end rays that move inwards. They extend as far as `clearance`, the distance from a position to
+    /// the nearest object, allows; with `None`, rays are followed as far as possible.
     #[must_use]
     pub fn captures(&self, clearance: Option<&dyn Fn(DVec3) -> f64>) -> Vec<Capture> {
         let interiors = self.objects.iter().filter_map(|object| object.interior()?.medium.facts().capture);
         self.law.captures(clearance).into_iter().chain(interiors).collect()
     }
 
-    /// Is there a medium whose paths have a closed form, or may be integrated as well?
+    /// Returns `true` if the paths of a medium have a closed form, so that integration is optional.
     #[must_use]
     pub fn has_closed_forms(&self) -> bool {
         let ends = self.rays.length.is_some();
@@ -211,7 +211,7 @@ impl Scene {
         of_law || self.media().map(Medium::facts).any(|medium| medium.bends() && medium.closed_form(ends).is_some())
     }
 
-    /// What it demands of the method that follows its rays.
+    /// Returns the demands of the scene on its integration method.
     #[must_use]
     pub fn demands(&self) -> Demands {
         let ends = self.rays.length.is_some();
@@ -220,8 +220,8 @@ impl Scene {
             .demands(ends, self.rays.segment.has_chords())
     }
 
-    /// Lights inside of what captures rays, such as a horizon: none of their light comes out where shadows are cast, and their color is
-    /// black. By their places in the file.
+    /// Returns the indices in the file of lights inside a capture region, such as a horizon. None of their light escapes where shadows are
+    /// cast, and their color is black.
     #[must_use]
     pub fn swallowed_lights(&self) -> Vec<usize> {
         let captures = self.law.captures(None);
@@ -233,7 +233,7 @@ impl Scene {
         self.lights.iter().enumerate().filter(|(_, light)| swallowed(light)).map(|(i, _)| i).collect()
     }
 
-    /// What was changed about meshes so that rays know what is inside of them, in words for a user.
+    /// Returns messages about changes to meshes that define the inside for rays.
     #[must_use]
     pub fn mesh_remarks(&self) -> Vec<String> {
         let remark = |(i, object): (usize, &Object)| {
@@ -243,7 +243,7 @@ impl Scene {
         self.objects.iter().enumerate().filter_map(remark).collect()
     }
 
-    /// Does light from the lights go where it goes in another scene? The camera, the sky and colors that show only there do not matter.
+    /// Returns `true` if light propagates as in another scene, regardless of the camera, the sky, and colors that only they show.
     #[must_use]
     pub fn is_lit_as(&self, other: &Self) -> bool {
         *self.law == *other.law
@@ -254,28 +254,28 @@ impl Scene {
             && self.lights == other.lights
     }
 
-    /// The angle of a pixel at the picture's center, in radians.
+    /// Returns the angle of a pixel at the image center, in radians.
     #[must_use]
     pub fn pixel_angle(&self) -> Option<f64> {
         self.camera.as_ref()?.pixel_angle(self.image.size)
     }
 
-    /// Returns `true` if pixels of its picture may show nothing, so that its files carry alpha.
+    /// Returns `true` if pixels of the image may be transparent, so that files have an alpha channel.
     #[must_use]
     pub fn is_transparent(&self) -> bool {
         self.sky == Sky::Transparent || self.camera.as_ref().is_some_and(|camera| camera.projection.is_transparent())
     }
 }
 
-/// `[ambient]`: how much of ambient light reaches a place.
+/// The table `[ambient]`: ambient occlusion.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Occlusion {
-    /// Is it looked along the scene's law, which may bend what a place sees, or along straight lines?
+    /// Is `true` if occlusion rays follow the scene's law, which may bend them, instead of straight lines.
     pub along_law: bool,
-    /// What is farther shuts nothing out; without one all does.
+    /// The distance beyond which objects do not occlude; unlimited if `None`.
     pub distance: Option<f64>,
-    /// The part that is left where all is closed.
+    /// The fraction of ambient light at a fully occluded point.
     pub floor: f64,
-    /// What clear things do to it.
+    /// The effect of transparent objects.
     pub clear: Clear,
 }

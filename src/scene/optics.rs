@@ -1,4 +1,4 @@
-//! What light goes through: the law and the interiors together, for what neither can say alone.
+//! Optical properties that depend on both the law and the interiors.
 
 use crate::document::reader::TableReader;
 use crate::model::method::Demands;
@@ -7,8 +7,8 @@ use crate::model::{Camera, Law, Material, Medium, Object, Order};
 use super::{Bound, Paths, Precision, Scene, Segment};
 
 impl Scene {
-    /// Returns `true` if light keeps the angular momentum that it has at the camera, about the law's axis, all along its way: no surface
-    /// or interior deflects it, and it does not come to the bounding sphere in a straight line from outside.
+    /// Returns `true` if light conserves its angular momentum around the law's axis along its whole path from the camera: no surface or
+    /// interior deflects it, and it does not reach the bounding sphere in a straight line from outside.
     #[must_use]
     pub fn keeps_turning(&self, camera: &Camera) -> bool {
         let deflects = |object: &Object| {
@@ -22,16 +22,16 @@ impl Scene {
     }
 }
 
-/// As much of a scene as decides how its rays can be followed.
+/// The part of a scene that determines how its rays can be integrated.
 #[derive(Clone, Copy)]
 pub(super) struct Optics<'a> {
-    /// None if it cannot be used.
+    /// The law; `None` after an error.
     pub law: Option<&'a dyn Law>,
-    /// Those that can be used.
+    /// The objects without errors.
     pub objects: &'a [Object],
-    /// Theirs.
+    /// The materials of the objects.
     pub materials: &'a [Material],
-    /// Does light go from surface to surface?
+    /// The settings of path tracing, if the scene uses it.
     pub paths: Option<Paths>,
 }
 
@@ -40,7 +40,7 @@ impl Optics<'_> {
         self.objects.iter().filter_map(|object| Some(&*object.interior()?.medium))
     }
 
-    /// Is there an opaque surface from which rays continue?
+    /// Returns `true` if rays continue from an opaque surface.
     fn has_continuing_surface(&self) -> bool {
         if self.paths.is_some() {
             return !self.objects.is_empty();
@@ -56,36 +56,36 @@ impl Optics<'_> {
         of_law.into_iter().map(|medium| &**medium).chain(self.interiors())
     }
 
-    /// Has some medium another index for each wavelength?
+    /// Returns `true` if the index of a medium depends on wavelength.
     pub fn disperses(&self) -> bool {
         self.media().any(|medium| medium.facts().is_dispersive)
     }
 
-    /// Returns why some medium's index is not known for light of this wavelength, in nanometers.
+    /// Returns why the index of some medium is unknown for this wavelength, in nanometers.
     pub fn refuses_wavelength(&self, wavelength: f64) -> Option<String> {
         self.media().find_map(|medium| medium.refuses_wavelength(wavelength))
     }
 
-    /// Is light bent anywhere?
+    /// Returns `true` if light is bent anywhere.
     pub fn bends(&self) -> bool {
         self.law.is_none_or(|law| !law.facts().is_straight) || self.interiors().any(|medium| medium.facts().bends())
     }
 
-    /// How far an arc's chords are from it, scene units, where the scene does not say, in a bounding sphere of this radius. A curve in
-    /// closed form is cut where something is near, and nowhere else: there little is saved by a coarser one.
+    /// Returns the default distance of an arc from its chords, in scene units, for a bounding sphere of this radius. A closed-form curve is
+    /// subdivided only near objects, so that a coarser tolerance saves little time.
     pub fn arc_tolerance(&self, radius: f64) -> f64 {
         let part = if self.law.is_some_and(|law| law.facts().curve().is_some()) { 1e-7 } else { 1e-4 };
-        // Of one between a throat and its sphere none may lead back.
+        // No chord of an arc between a throat and its sphere may cross the throat again.
         let throat = self.law.and_then(|law| law.facts().throat).map_or(f64::INFINITY, |throat| 0.1 * throat.depth);
         throat.min(part * radius)
     }
 
-    /// What it demands of a method; `ends` where paths end at a given τ.
+    /// Returns the demands on a method; `ends` is `true` if paths end at a given τ.
     pub fn demands(&self, ends: bool, has_chords: bool) -> Demands {
         let is_solved = |medium: &dyn Medium| medium.facts().closed_form(ends).is_none();
         let has_solved_interior = self.interiors().any(is_solved);
         let solved_law = |law: &dyn Law| match law.facts().medium() {
-            // A spiral's closed form is for the inside of objects.
+            // A spiral's closed form is only for the inside of objects.
             Some(medium) => medium.facts().closed_form(ends).is_none_or(|form| form.meets_obstacles),
             None => law.facts().closed_form.is_none(),
         };
@@ -102,7 +102,7 @@ impl Optics<'_> {
         }
     }
 
-    /// What does not go with surfaces that rays continue from.
+    /// Reports settings that conflict with surfaces from which rays continue.
     pub fn check(&self, table: &TableReader, segment: Segment, asymptotic: bool, precision: Precision) {
         let has_interiors = self.interiors().next().is_some();
         if !has_interiors && !self.has_continuing_surface() {

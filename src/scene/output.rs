@@ -1,28 +1,28 @@
-//! How radiance becomes a picture file.
+//! The conversion of radiance to an image file.
 
-/// `[output]`.
+/// The table `[output]`.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Output {
-    /// Stops: radiance is multiplied by 2^exposure for PNG.
+    /// The exposure in stops: a PNG shows radiance times 2^exposure.
     pub exposure: f64,
-    /// The curve for PNG.
+    /// The tone curve of a PNG.
     pub tonemap: Tonemap,
-    /// Bits per channel of a PNG, 8 or 16.
+    /// The bits per channel of a PNG, 8 or 16.
     pub bits: u8,
-    /// The radiance of the brightest channel of a sample of random paths, at most: what is more is left out, and counted.
+    /// The largest radiance of the brightest channel of a sample in path tracing; larger values are clamped and counted.
     pub clamp: Option<f64>,
 }
 
-/// Tone curves.
+/// The tone curve.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Tonemap {
-    /// Clip.
+    /// Values are clipped.
     None,
-    /// A filmic shoulder.
+    /// A filmic curve with a shoulder.
     Filmic,
 }
 
 impl Tonemap {
-    /// Each by its name.
+    /// The curves by name.
     pub const NAMES: &'static [(&'static str, Self)] = &[("none", Self::None), ("filmic", Self::Filmic)];
 }

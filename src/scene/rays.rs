@@ -1,56 +1,56 @@
-//! `[rays]`: how rays are followed.
+//! The settings of `[rays]`, which define the integration of rays.
 
 use glam::DVec3;
 
 use crate::model::{Control, Law, Method};
 
-/// `[rays]`: how rays are followed.
+/// The table `[rays]`: the integration of rays.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Rays {
-    /// The integrator.
+    /// The integration method.
     pub method: Method,
-    /// How long its steps are.
+    /// The step-size control.
     pub control: Control,
-    /// What a calibration shall find, where the scene leaves method and control to one; until that has run they are RK4's.
+    /// The task of a calibration, if the scene leaves the method to it; until it has run, the method is RK4.
     pub auto: Option<Auto>,
-    /// What is tested against the scene.
+    /// The part of a path that is tested for hits.
     pub segment: Segment,
-    /// A ray that has this many segments and is still under way is exhausted.
+    /// The number of segments after which an active ray is exhausted.
     pub max_segments: u32,
-    /// Rays that leave this sphere have escaped.
+    /// The bounding sphere, outside which rays have escaped.
     pub bound: Bound,
-    /// Rays end at this τ.
+    /// The τ at which rays end.
     pub length: Option<f64>,
-    /// Outside the bounding sphere rays are followed to infinity in closed form.
+    /// Is `true` if rays are followed to infinity in closed form outside the bounding sphere.
     pub asymptotic: bool,
-    /// Bits of the numbers.
+    /// The precision of the numbers.
     pub precision: Precision,
-    /// Where a medium's paths have a closed form it stands for the method.
+    /// Is `true` if closed forms of media replace the method.
     pub closed_forms: bool,
-    /// Does one step lead through a region that has nothing else in it? Paths that are to be drawn are cut into arcs.
+    /// Is `true` if one step crosses a region that contains nothing else. Paths of diagrams are cut into arcs.
     pub leaps: bool,
-    /// How the rays that a surface splits are followed.
+    /// The treatment of rays that a surface splits.
     pub branches: Branches,
-    /// How the objects that a segment may meet are searched.
+    /// The acceleration structure for the search of objects.
     pub accelerate: Accelerate,
-    /// Does light go from surface to surface, and how far? Else what surfaces show is the light of the scene's lights.
+    /// The settings of path tracing; `None` for direct illumination by the scene's lights.
     pub paths: Option<Paths>,
-    /// Of light, nanometers, where it is not drawn; it matters to dispersion alone.
+    /// The wavelength of light in nanometers, if it is not sampled; only dispersion depends on it.
     pub wavelength: f64,
 }
 
-/// `[path_tracing]`: how paths are followed from surface to surface.
+/// The table `[path_tracing]`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Paths {
-    /// Surfaces that send a path on, at most; as many as light needs without.
+    /// The largest number of scattering surfaces along a path; unlimited if `None`.
     pub depth: Option<u32>,
-    /// Surfaces that send it on before roulette may end it.
+    /// The number of surfaces after which Russian roulette may end a path.
     pub roulette: u32,
-    /// Does one more ray leave each place towards the lamps?
+    /// Is `true` if next-event estimation sends one more ray from each point to the emitters.
     pub aim: bool,
-    /// Is light followed from the lamps first, to guide those rays where cones about lamps do not lead?
+    /// Is `true` if light is traced from the emitters first, to guide these rays around obstacles of next-event estimation.
     pub guide: bool,
-    /// What its random numbers begin with.
+    /// The seed of the random numbers.
     pub seed: u32,
 }
 
@@ -60,63 +60,63 @@ impl Default for Paths {
     }
 }
 
-/// What stands between a segment and the objects. All give the same picture.
+/// The structure that limits the objects tested per segment. It does not affect the image.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Accelerate {
-    /// What measures best.
+    /// The structure that measurements favor.
     Auto,
     /// A bounding volume hierarchy.
     Hierarchy,
     /// A uniform grid (G95 §4).
     Grid,
-    /// Nothing: every segment is tested against every object (W04).
+    /// No structure: every segment is tested against every object (W04).
     None,
 }
 
-/// What is followed where a surface both reflects and transmits.
+/// The rays that continue from a surface that both reflects and transmits.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Branches {
-    /// Both, exactly, up to so many times along a path: what would split once more is cut.
+    /// Both rays, exactly, up to this number of splits along a path; further splits are cut.
     Enumerated(u32),
-    /// One of them at random, a sample.
+    /// One random ray per sample.
     Random,
 }
 
-/// What is left to a calibration.
+/// The settings that a calibration chooses.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Auto {
-    /// How accurate rays shall be.
+    /// The required accuracy.
     pub accuracy: Accuracy,
-    /// Are the bits of the numbers left to it too? 64 where 32 do not reach the accuracy.
+    /// Is `true` if the calibration also chooses the precision: 64 bits if 32 do not reach the accuracy.
     pub precision: bool,
 }
 
-/// The error in a ray's direction that 99 of 100 rays shall stay under.
+/// The largest error of a ray's direction for 99 of 100 rays.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Accuracy {
-    /// In parts of the angle of a pixel at the picture's center.
+    /// A fraction of a pixel's angle at the image center.
     Pixels(f64),
-    /// In radians.
+    /// An angle in radians.
     Radians(f64),
 }
 
-/// What of a path is tested against the scene.
+/// The part of a path that is tested for hits.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Segment {
-    /// One accepted step as a cubic Hermite arc, cut into chords that stay within `tolerance` of it.
+    /// A cubic Hermite arc over one accepted step, subdivided into chords within `tolerance` of it.
     Arc {
-        /// Scene units.
+        /// The tolerance, in scene units.
         tolerance: f64,
     },
-    /// The paper's polygon: one chord over N steps.
+    /// A chord over N steps, as in the polygon of W04.
     Chord {
-        /// N.
+        /// The number N of steps.
         steps: u32,
     },
 }
 
 impl Segment {
-    /// Is it the paper's polygon?
+    /// Returns `true` for the polygon of W04.
     #[must_use]
     pub fn has_chords(self) -> bool {
         matches!(self, Self::Chord { .. })
@@ -126,14 +126,14 @@ impl Segment {
 /// The bounding sphere.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Bound {
-    /// Its center.
+    /// The center.
     pub center: DVec3,
-    /// Its radius.
+    /// The radius.
     pub radius: f64,
 }
 
 impl Bound {
-    /// Its center, and where the law leads to another side that of the sphere there.
+    /// Returns the center and, if the law leads to another side, the center of the sphere there.
     #[must_use]
     pub fn centers(&self, law: Option<&dyn Law>) -> Vec<DVec3> {
         let throat = law.and_then(|law| law.facts().throat);
@@ -142,22 +142,22 @@ impl Bound {
     }
 }
 
-/// Bits of the numbers that a path is followed in.
+/// The precision in which paths are integrated.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Precision {
-    /// Followed in 32 bits, kept between passes in 16, as in 2004.
+    /// Integrated in 32 bits and stored between passes in 16, as in W04.
     Half,
-    /// 32.
+    /// 32 bits.
     Single,
-    /// 64, where the device has them.
+    /// 64 bits, if the device supports them.
     Double,
 }
 
 impl Precision {
-    /// All, from the fewest bits to the most.
+    /// All precisions in ascending order.
     pub const ALL: [Self; 3] = [Self::Half, Self::Single, Self::Double];
 
-    /// As users write it.
+    /// Returns the name in a scene file.
     #[must_use]
     pub const fn name(self) -> &'static str {
         match self {
@@ -167,7 +167,7 @@ impl Precision {
         }
     }
 
-    /// In a few words.
+    /// Returns a short description.
     #[must_use]
     pub fn meaning(self) -> &'static str {
         match self {

@@ -1,26 +1,27 @@
-//! Scenes that numbers of 32 bits are too coarse for: things that are small where they are, and pixels that are finer than directions.
+//! Warnings about scenes for which 32 bits are too coarse, because objects are small relative to their position or pixels are finer than
+//! directions.
 //!
-//! *Theory.* A coordinate x is known to 2⁻²⁴ |x|. What becomes of a ray is known as well as the coarsest of the places that it is computed
-//! from: the camera's and the object's. That shows once it is a good part of the object, or of what a pixel sees there. Whether methods
-//! err by more is measured elsewhere; this is all that can go wrong where paths are straight or have a closed form.
+//! *Theory.* A coordinate x has an error of 2⁻²⁴ |x|. A ray is as accurate as the coarsest positions of its computation, the camera's and
+//! the object's. The error is visible if it is a large fraction of the object or of a pixel's footprint. Larger errors of methods are
+//! measured elsewhere; if paths are straight or have a closed form, rounding is the only error.
 //!
 //! *Practice.* A few products an object, on the host. It is a warning and no error: parts of such a picture may be right.
 
 use super::{Picture, Precision, Scene};
 
-/// Half a unit in the last place of 32 bits, relative.
+/// The relative half unit in the last place of 32 bits.
 const HALF_ULP: f64 = 1.0 / 16_777_216.0;
-/// Roundings that add up on a ray's way to a surface.
+/// The number of roundings that add up along a ray to a surface.
 const ROUNDINGS: f64 = 4.0;
-/// Parts of an object that may be lost.
+/// The fraction of an object that may be lost.
 const OF_OBJECT: f64 = 0.01;
-/// Parts of a pixel.
+/// The fraction of a pixel that may be lost.
 const OF_PIXEL: f64 = 0.5;
-/// Objects that are named.
+/// The largest number of objects in a message.
 const NAMED: usize = 3;
 
 impl Scene {
-    /// Returns what makes its pictures different from what the scene and its files say, each in words for a user.
+    /// Returns messages about differences of the image from the scene and its files.
     #[must_use]
     pub fn warnings(&self) -> Vec<String> {
         let of_picture = |picture: &Picture| {
@@ -35,7 +36,7 @@ impl Scene {
             .collect()
     }
 
-    /// What 32 bits cannot tell apart here, in words for a user; none where they suffice, or more are asked for.
+    /// Returns a message about details that 32 bits cannot resolve, or `None` if they suffice or the scene uses more.
     #[must_use]
     pub fn rounded_away(&self) -> Option<String> {
         if self.rays.precision == Precision::Double {

@@ -1,17 +1,17 @@
-//! Motion blur: the moments that a frame shows while its shutter is open.
+//! Motion blur: the shutter samples of a frame.
 //!
-//! *Theory.* What a camera records of a pixel is the mean over the pixel and over the time that the shutter is open: one more dimension
-//! of the same integral. Its samples are spread over all three at once where time is the third dimension of Sobol's sequence, of which a
-//! pixel takes the first two (each prefix of a power of two then has one sample in each equal part of any one of them).
+//! *Theory.* A pixel of a camera records the mean over its area and over the time that the shutter is open, which is one more dimension of
+//! one integral. Samples are well distributed in all three dimensions if time is the third dimension of the Sobol sequence and the pixel
+//! uses the first two: each prefix of a power of two has one sample in each equal interval of any dimension.
 //!
-//! *Practice.* A moment is a scene of its own, with everything that depends on it, so all rays of a sample are of one moment. What
-//! moves further than a pixel from moment to moment shows as steps: more of them, and as many samples, make them finer.
+//! *Practice.* Each shutter sample is a separate scene with all dependent data, so that all rays of an image sample share one time. Motion
+//! by more than a pixel between shutter samples is visible as steps; more shutter samples, and as many image samples, refine them.
 
 use super::Scene;
 
 impl Scene {
-    /// The moments of a frame, in frames, in the order in which samples take them: sample n the n-th, and the first again after the
-    /// last. None where the shutter does not stay open.
+    /// Returns the shutter samples of a frame, in frames, in the order of image samples: sample n uses the n-th, starting again after the
+    /// last. Returns none if the shutter does not stay open.
     #[must_use]
     pub fn moments(&self, frame: u32) -> Vec<f64> {
         let Some(animation) = self.animation.as_ref().filter(|animation| animation.shutter > 0.0) else {
@@ -23,8 +23,8 @@ impl Scene {
     }
 }
 
-/// The n-th of `count` parts in the order of Sobol's third dimension, whose matrix is that of the polynomial x² + x + 1 and of the
-/// first numbers 1 and 3; `count` is a power of two.
+/// Returns the n-th of `count` intervals in the order of the third Sobol dimension, whose matrix has the polynomial x² + x + 1 and the
+/// initial numbers 1 and 3; `count` is a power of two.
 fn spread(n: u32, count: u32) -> u32 {
     let bits = count.trailing_zeros();
     let mut directions = vec![1_u32, 3];
@@ -42,7 +42,7 @@ fn spread(n: u32, count: u32) -> u32 {
 mod tests {
     use super::spread;
 
-    /// The sequence's first two dimensions as the device has them, of 2^bits points.
+    /// Returns point n of 2^bits points in the first two dimensions, as on the device.
     fn place(n: u32, bits: u32) -> [u32; 2] {
         let reversed = |n: u32| n.reverse_bits() >> (32 - bits);
         let pascal = (0..bits).map(|row| {
@@ -62,13 +62,13 @@ mod tests {
                 assert!(taken.into_iter().eq(0..count), "{count}");
             }
         }
-        // Prefixes are even too.
+        // Prefixes are evenly distributed.
         let mut first: Vec<u32> = (0..16).map(|n| spread(n, 64) / 4).collect();
         first.sort_unstable();
         assert!(first.into_iter().eq(0..16));
     }
 
-    /// With either axis of the pixel: in each box of area 1/n one of n points.
+    /// Checks that with either axis of the pixel, each box of area 1/n contains one of n points.
     #[test]
     fn moments_are_spread_over_the_pixel() {
         let bits = 6;

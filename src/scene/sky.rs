@@ -1,22 +1,22 @@
-//! What an escaped ray sees.
+//! The background of escaped rays.
 
 use glam::DVec3;
 
-/// `[sky]`.
+/// The table `[sky]`.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Sky {
-    /// One color; black unless the scene says otherwise.
+    /// One color; the default is black.
     Color(DVec3),
-    /// Nothing: no light comes from it, and files carry how much of a pixel shows it, as alpha.
+    /// A transparent sky, which emits no light; files store the visible fraction of each pixel as alpha.
     Transparent,
-    /// An equirectangular picture: index into [`Scene::pictures`](super::Scene::pictures), and a factor on its radiance.
+    /// An equirectangular environment map: its index in [`Scene::pictures`](super::Scene::pictures), and a factor of its radiance.
     Equirectangular(usize, f64),
-    /// Six faces +x −x +y −y +z −z, seen from inside: indices into [`Scene::pictures`](super::Scene::pictures), and a factor.
+    /// A cube map with the faces +x −x +y −y +z −z, seen from inside: indices in [`Scene::pictures`](super::Scene::pictures), and a factor.
     Faces([usize; 6], f64),
 }
 
 impl Sky {
-    /// The WGSL part that shows it.
+    /// Returns the WGSL module of the sky.
     #[must_use]
     pub fn part(&self) -> &'static str {
         match self {

@@ -1,4 +1,4 @@
-//! Where the sky's picture is bright: what paths aim at besides lamps.
+//! Importance sampling of the sky: the bright cells of its environment map, which paths sample in addition to emitters.
 
 use std::f64::consts::PI;
 
@@ -7,19 +7,19 @@ use rayon::prelude::*;
 
 use super::{Picture, Scene, Sky};
 
-/// A globe in cells, equal in both angles, that lies as an equirectangular picture does.
+/// A sphere in cells of equal longitude and latitude, oriented like an equirectangular map.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SkyCells {
-    /// What is brighter than the mean, of all colors together: radiance times solid angle.
+    /// The sum over the sphere of the radiance above the mean, averaged over colors, times the solid angle.
     pub total: f32,
-    /// The part of it up to the end of each row, from the top.
+    /// The cumulative fraction of the sum at the end of each row, from the top.
     pub rows: Vec<f32>,
-    /// Row by row, the part of the row up to the end of each cell.
+    /// The cumulative fraction within each row at the end of each cell, row by row.
     pub cells: Vec<f32>,
 }
 
 impl SkyCells {
-    /// The cells of a sky whose radiance, all colors together, is `mean(column, row)` in the mean over a cell.
+    /// Creates the cells of a sky with the mean radiance `mean(column, row)`, averaged over colors.
     fn of([columns, rows]: [u32; 2], mean: impl Fn(u32, u32) -> f64 + Sync) -> Self {
         let angle = |row: u32| PI * f64::from(row) / f64::from(rows);
         let solid = |row: u32| 2.0 * PI / f64::from(columns) * (angle(row).cos() - angle(row + 1).cos());
@@ -38,7 +38,7 @@ impl SkyCells {
     }
 }
 
-/// Sums up to each value over that of all; evenly spread where that is nothing.
+/// Returns cumulative sums divided by the total, or evenly distributed values if the total is zero.
 fn sums(values: &[f64]) -> Vec<f32> {
     let all: f64 = values.iter().sum();
     let even = 1.0 / values.len() as f64;
@@ -48,16 +48,17 @@ fn sums(values: &[f64]) -> Vec<f32> {
         sum as f32
     };
     let mut sums: Vec<f32> = values.iter().map(&mut next).collect();
-    // Where nothing follows, nothing is to be chosen for want of the last bit.
+    // After the last positive value all sums are 1, so that rounding cannot select a zero.
     let end = values.iter().rposition(|x| *x > 0.0).unwrap_or(values.len() - 1);
     sums[end..].fill(1.0);
     sums
 }
 
-/// The variance of the sky's light, over the square of its mean, for which one more ray is worth its time.
+/// The variance of the sky's radiance, relative to the square of its mean, above which an additional ray is worth its time.
 const WORTH_AIMING: f64 = 0.25;
 
-/// The sums over a picture's pixels of 1, their light, all colors together, and its square, by a weight at places from -1 to 1 both ways.
+/// Returns the weighted sums of 1, radiance averaged over colors, and its square over the pixels of an image; `weight` takes coordinates
+/// from −1 to 1.
 fn weighed(picture: &Picture, weight: impl Fn(f64, f64) -> f64 + Sync) -> DVec3 {
     let [width, height] = picture.size.map(f64::from);
     let place = |k: usize, size: f64| 2.0 * (k as f64 + 0.5) / size - 1.0;
@@ -70,13 +71,13 @@ fn weighed(picture: &Picture, weight: impl Fn(f64, f64) -> f64 + Sync) -> DVec3 
         };
         row.iter().enumerate().map(of_pixel).sum()
     };
-    // In order: the same sum whatever the number of cores.
+    // Summed in order, so that the sum does not depend on the number of cores.
     let sums: Vec<DVec3> = rows.map(row).collect();
     sums.iter().sum::<DVec3>() / (width * height)
 }
 
 impl Scene {
-    /// Do paths aim at the sky? Where its light varies: an even sky is found without aims.
+    /// Returns `true` if paths sample the sky because its radiance varies; a uniform sky needs no sampling.
     #[must_use]
     pub fn aims_at_sky(&self) -> bool {
         let wanted = self.rays.paths.is_some_and(|paths| paths.aim);
@@ -86,7 +87,7 @@ impl Scene {
             Sky::Equirectangular(picture, _) => vec![&self.pictures[*picture]],
             Sky::Faces(faces, _) => faces.iter().map(|face| &self.pictures[*face]).collect(),
         };
-        // Solid angle, not to scale.
+        // The solid angle of a pixel, up to a constant.
         let weight = |x: f64, y: f64| match faces.len() {
             1 => (0.5 * PI * y).cos(),
             _ => (1.0 + x * x + y * y).powf(-1.5),
@@ -95,11 +96,11 @@ impl Scene {
         squares * solid > (1.0 + WORTH_AIMING) * light * light
     }
 
-    /// The sky in columns and rows.
+    /// Returns the sky in columns and rows.
     #[must_use]
     pub fn sky_cells(&self, size: [u32; 2]) -> SkyCells {
         let [columns, rows] = size.map(f64::from);
-        // As many points along a cell's side as the picture has pixels there: none is passed over.
+        // Each side of a cell has as many points as pixels of the image, so that no pixel is skipped.
         let points = (self.sky_pixels_around() / columns).ceil().max(1.0) as u32;
         SkyCells::of(size, |column, row| {
             let at = |cell: u32, k: u32| f64::from(cell) + (f64::from(k) + 0.5) / f64::from(points);
@@ -109,12 +110,12 @@ impl Scene {
         })
     }
 
-    /// Pixels once round the sky, where they are densest.
+    /// Returns the number of pixels around the sky at their greatest density.
     fn sky_pixels_around(&self) -> f64 {
         match self.sky {
             Sky::Color(_) | Sky::Transparent => 1.0,
             Sky::Equirectangular(picture, _) => f64::from(self.pictures[picture].size[0]),
-            // A pixel in a face's middle is 4/π as wide as the mean one, in its corner less than half.
+            // A pixel at the center of a face is 4/π as wide as the mean pixel, and less than half as wide at a corner.
             Sky::Faces(faces, _) => {
                 let widest = faces.iter().map(|face| self.pictures[*face].size[0]).max().unwrap_or(1);
                 2.0 * PI * f64::from(widest)
@@ -122,7 +123,7 @@ impl Scene {
         }
     }
 
-    /// Radiance, all colors together, at a place of the globe from its top left, as `shaders/picture/sky` has it.
+    /// Returns the radiance, averaged over colors, at a position of the sphere relative to its top left, as `shaders/picture/sky` does.
     fn sky_brightness(&self, place: DVec2) -> f64 {
         match self.sky {
             Sky::Color(color) => color.element_sum() / 3.0,
@@ -138,7 +139,7 @@ impl Scene {
     }
 }
 
-/// Which of the faces +x −x +y −y +z −z is in a direction, and where on it from its top left.
+/// Returns the index among the faces +x −x +y −y +z −z in a direction, and the position on the face from its top left.
 fn on_face(d: DVec3) -> (usize, DVec2) {
     let size = d.abs();
     let (face, p) = if size.x >= size.y.max(size.z) {
@@ -151,7 +152,7 @@ fn on_face(d: DVec3) -> (usize, DVec2) {
     (face, 0.5 + 0.5 * DVec2::new(p.x, -p.y) / p.z)
 }
 
-/// A picture between its pixels' middles, all colors together.
+/// Returns a bilinear sample of an image, averaged over colors.
 fn sample(picture: &Picture, place: DVec2, repeats: bool) -> f64 {
     let [width, height] = picture.size.map(i64::from);
     let p = place * DVec2::new(width as f64, height as f64) - 0.5;

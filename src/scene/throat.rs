@@ -1,4 +1,4 @@
-//! The throat of a wormhole, as surfaces of the scene.
+//! The throat of a wormhole as surfaces of the scene.
 
 use std::sync::Arc;
 
@@ -9,7 +9,7 @@ use crate::model::material::Throat;
 use crate::model::shape::Sphere;
 use crate::model::{Law, Material, Object, Pattern, Substance};
 
-/// Adds a sphere round each mouth, behind the scene's own objects, if the law has any.
+/// Adds a sphere around each mouth, after the scene's objects, if the law has a throat.
 pub fn add_throat(law: &dyn Law, materials: &mut Vec<Material>, objects: &mut Vec<Object>) {
     let Some(throat) = law.facts().throat else { return };
     let color = Pattern::Constant(DVec3::ONE);

@@ -1,8 +1,8 @@
-//! Vertex colors: whether materials use those that meshes have.
+//! Vertex colors, and warnings about vertex colors that materials do not use.
 
 use super::{Object, Scene};
 
-/// Objects that are named.
+/// The largest number of objects in a message.
 const NAMED: usize = 3;
 
 impl Scene {
@@ -12,7 +12,7 @@ impl Scene {
         self.used_materials().any(|material| material.color.has_vertex_colors())
     }
 
-    /// Returns which objects have vertex colors that their materials do not use, in words for a user; `None` if there are none.
+    /// Returns a message about objects with vertex colors that their materials do not use, or `None` if there are none.
     #[must_use]
     pub fn unused_vertex_colors(&self) -> Option<String> {
         let has_some = |object: &Object| object.shape.mesh().is_some_and(|mesh| !mesh.colors.is_empty());

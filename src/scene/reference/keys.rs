@@ -1,10 +1,10 @@
-//! Every table and key of the scene format, as `check --reference` prints them.
+//! The reference of every table and key of the scene format.
 //!
-//! `TABLE { key if WHEN: VALUE = DEFAULT, MEANING; }`: WHEN is the condition under which a key is read, if there is one.
+//! The syntax is `TABLE { key if WHEN: VALUE = DEFAULT, MEANING; }`; WHEN states the condition under which a key is read, if there is one.
 
 use crate::document::{KeyReference, key_rows};
 
-/// Returns the keys that do not depend on the kinds in a scene.
+/// The keys that do not depend on the kinds of a scene.
 #[expect(clippy::too_many_lines, reason = "a table")]
 pub(super) fn fixed() -> Vec<KeyReference> {
     key_rows! {

@@ -1,7 +1,7 @@
-//! The format as the user reads it: every key with its meaning, and a scene to begin with.
+//! The reference of the scene format: every key with its meaning, and templates.
 //!
-//! One list serves the manual, and the help of mistakes: a key that stands in the wrong company is told what it goes
-//! with. A test reads scenes of every kind and compares the keys that were asked for with this list.
+//! One list serves the manual and the help of error messages, which report where a misplaced key is valid. A test reads scenes of every
+//! kind and compares the keys that the readers request with this list.
 
 mod keys;
 mod templates;
@@ -13,7 +13,7 @@ use std::sync::LazyLock;
 use crate::document::KeyReference;
 use crate::model::{camera, falloff, filter, law, material, medium, method, shape, source};
 
-/// Every key, table by table: a test holds it to what the reading of scenes asks for.
+/// Every key by table; a test compares the list with the keys that the readers request.
 pub static REFERENCE: LazyLock<Vec<KeyReference>> = LazyLock::new(|| {
     let kinds = [
         law::KINDS.reference(),
@@ -31,7 +31,7 @@ pub static REFERENCE: LazyLock<Vec<KeyReference>> = LazyLock::new(|| {
     add_copy(&mut all, "sky", "sky.other_side");
     add_copy(&mut all, "materials.NAME.diffuse", "materials.NAME.color");
     for table in kinds.chunk_by(|a, b| a.table == b.table) {
-        // The kinds of a table stand where the table does, or behind the table before it.
+        // The kinds of a table follow its rows, or the rows of the table before it.
         let after = |row: &KeyReference| row.table == table[0].table || AFTER.contains(&(table[0].table, row.table));
         let at = all.iter().rposition(after).map_or(all.len(), |last| last + 1);
         let own = all.iter().position(|row| row.table == table[0].table);
@@ -40,7 +40,7 @@ pub static REFERENCE: LazyLock<Vec<KeyReference>> = LazyLock::new(|| {
     all
 });
 
-/// Adds the keys of a table that is read as another is, behind that.
+/// Adds the keys of a table with the format of another table, after that table.
 fn add_copy(all: &mut Vec<KeyReference>, original: &'static str, copy: &'static str) {
     let own = all.iter().filter(|row| row.table == original && row.key != "other_side");
     let other: Vec<_> = own.map(|row| KeyReference { table: copy, ..row.clone() }).collect();
@@ -48,7 +48,7 @@ fn add_copy(all: &mut Vec<KeyReference>, original: &'static str, copy: &'static 
     all.splice(at..at, other);
 }
 
-/// Tables that are read by their kinds alone, each with the one that it stands behind.
+/// The tables that are read by their kinds alone, each with the table that it follows.
 const AFTER: [(&str, &str); 5] = [
     ("law", "camera.stereo"),
     ("law.sources.falloff", "law.sources"),
@@ -57,7 +57,7 @@ const AFTER: [(&str, &str); 5] = [
     ("materials.NAME", "output"),
 ];
 
-/// The reference as Markdown, a section for each table.
+/// Returns the reference as Markdown, with one section per table.
 #[must_use]
 pub fn reference_markdown() -> String {
     let sections = REFERENCE.chunk_by(|a, b| a.table == b.table);

@@ -1,19 +1,19 @@
-//! Scenes to start from, which `bentray new` writes.
+//! Templates of scenes, which `bentray new` writes.
 
-/// A scene with comments.
+/// A scene file with comments.
 #[derive(Debug, Clone, Copy)]
 pub struct Template {
-    /// What `--template` calls it.
+    /// The name for `--template`.
     pub name: &'static str,
-    /// What it shows, in a few words.
+    /// A short description of the scene.
     pub about: &'static str,
-    /// The file.
+    /// The text of the file.
     pub text: &'static str,
 }
 
 macro_rules! templates {
     ($($name:literal: $about:literal,)*) => {
-        /// All of them; the first is the usual one.
+        /// All templates; the first is the default.
         pub const TEMPLATES: &[Template] =
             &[$(Template { name: $name, about: $about, text: include_str!(concat!($name, ".toml")) }),*];
     };
