@@ -1,4 +1,4 @@
-//! Scenes as a user writes them, right and wrong.
+//! Tests of valid and invalid scenes as users write them.
 
 mod animation;
 mod attacked;
@@ -26,7 +26,7 @@ mod touching;
 use super::{Mistake, Override, Scene, SceneError};
 use std::path::Path;
 
-/// The least that every scene needs.
+/// The minimum that every scene needs.
 const RAYS: &str = "[rays]\nbounding_sphere = { radius = 10 }\n";
 
 fn parse(text: &str) -> Result<Scene, SceneError> {
@@ -45,7 +45,7 @@ fn mistakes_of(result: Result<Scene, SceneError>) -> Vec<Mistake> {
     }
 }
 
-/// The only mistake of a text in which «» stand round the words that it should be found at.
+/// Returns the only error of a text in which «» mark its expected location.
 fn marked(text: &str) -> Mistake {
     let start = text.find('«').expect("a mark");
     let end = text.find('»').expect("a mark") - '«'.len_utf8();

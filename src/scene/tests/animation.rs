@@ -1,4 +1,4 @@
-//! `[animation]`: frames are the scene with the tracks' values put in place.
+//! Tests of `[animation]`: frames are the scene with the values of tracks substituted.
 
 #![allow(clippy::float_cmp)] // values at key frames are exact
 
@@ -38,7 +38,7 @@ fn values_go_from_key_to_key() {
             Some((11, "camera.position".to_owned()))
         );
     }
-    // Evenly where no frames are named, and a single value stays.
+    // Frames are evenly spaced if none are specified, and a single value is constant.
     let evenly = track("camera.fov", "values = [20, 40, 50]") + &track("camera.up", "values = [[1, 0, 0]]");
     for (k, expected) in [(0, 20.0), (5, 40.0), (6, 42.0), (10, 50.0)] {
         let scene = frame(&evenly, &[], k).expect("a good frame");
@@ -48,8 +48,8 @@ fn values_go_from_key_to_key() {
 }
 
 proptest! {
-    /// A smooth track meets its values, rests at both ends, has no corner at a key, and follows a straight line exactly
-    /// away from its ends.
+    /// Checks that a smooth track passes through its values, has zero slope at both ends and no corner at a keyframe, and follows a
+    /// straight line exactly away from its ends.
     #[test]
     fn smooth_tracks_have_no_corners(values in prop::collection::vec(20.0..60.0_f64, 3), middle in 200_u32..800) {
         let text = track("camera.fov", &format!("values = {values:?}\nkeyframes = [0, {middle}, 1000]\ninterpolation = \"smooth\""));
@@ -58,7 +58,7 @@ proptest! {
         for (k, value) in [0, middle, 1000].into_iter().zip(&values) {
             prop_assert_eq!(at(k), *value);
         }
-        // A frame is a thousandth of the track: what a cubic rises there from rest is of second order.
+        // A frame is a thousandth of the track, so that the rise of a cubic from zero slope is of second order.
         prop_assert!((at(1) - at(0)).abs() < 1e-2 && (at(1000) - at(999)).abs() < 1e-2);
         let (before, after) = (at(middle) - at(middle - 1), at(middle + 1) - at(middle));
         prop_assert!((before - after).abs() < 2e-2, "{} {}", before, after);
@@ -82,7 +82,7 @@ fn a_value_that_does_not_fit_is_found_at_its_track() {
     }
 }
 
-/// `--set` changes tracks too; of a key that one of them moves it has no say.
+/// Checks that `--set` changes tracks, but not keys that a track animates.
 #[test]
 fn overrides_and_tracks_do_not_contradict() {
     let fovs = track("camera.fov", "values = [20, 40]");

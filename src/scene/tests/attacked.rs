@@ -1,4 +1,4 @@
-//! Kinds of faults that randomly changed files have shown: parts that went missing without a word, and messages that were not readable.
+//! Regression tests of errors that randomly changed files have revealed: data lost without a message, and unreadable messages.
 
 use std::fs;
 use std::path::Path;
@@ -9,7 +9,7 @@ use crate::scene::{Mesh, Picture, Scene};
 
 const CORNERS: &str = "0 0 0\n1 0 0\n0 1 0\n0 0 1\n";
 
-/// Writes a mesh, and returns what is wrong with it.
+/// Writes a mesh, and returns the number of triangles or the error.
 fn mesh(name: &str, bytes: impl AsRef<[u8]>) -> Result<usize, String> {
     let folder = tempfile::tempdir().expect("a folder");
     let path = folder.path().join(name);
@@ -24,7 +24,7 @@ fn ply(format: &str, faces: usize) -> String {
     )
 }
 
-/// A header that names fewer elements than follow would leave a part of the mesh out.
+/// Checks that a header with too small a count is an error, because part of the mesh would be lost.
 #[test]
 fn a_mesh_that_its_file_goes_on_behind_is_refused() {
     let faces = "3 0 1 2\n3 0 1 3\n";
@@ -47,13 +47,13 @@ fn a_mesh_that_its_file_goes_on_behind_is_refused() {
         [&[b' '; 80][..], &count.to_le_bytes(), &triangle(), &triangle(), &vec![7; rest]].concat()
     };
     assert_eq!(mesh("a.stl", stl(2, 0)), Ok(2));
-    // Less than a triangle is no triangle that is left out.
+    // Less than one triangle does not count as a lost triangle.
     assert_eq!(mesh("a.stl", stl(2, 49)), Ok(2));
     let error = mesh("a.stl", stl(1, 0)).expect_err("a triangle is left over");
     assert!(error.contains("the header says 1 triangles of 50 bytes, and 100 bytes follow"), "{error}");
 }
 
-/// A triangle of a binary STL.
+/// Returns a triangle of a binary STL.
 fn triangle() -> [u8; 50] {
     let mut bytes = [0; 50];
     for (at, value) in [(24, 1_f32), (40, 1.0)] {
@@ -62,7 +62,7 @@ fn triangle() -> [u8; 50] {
     bytes
 }
 
-/// Two triangles would be a hexagon.
+/// Checks that an open loop is rejected, because it would join two triangles to a hexagon.
 #[test]
 fn loops_of_an_stl_that_are_not_closed_are_refused() {
     let facet = |end: &str| {
@@ -77,13 +77,14 @@ fn loops_of_an_stl_that_are_not_closed_are_refused() {
     assert!(error.contains("a.stl:6:2: `facet` within a loop"), "{error}");
 }
 
-/// What a terminal would obey, reorder or not show is shown by one character each, so that carets stay in their places.
+/// Checks that each character that a terminal would interpret, reorder or hide is replaced by one visible character, so that carets stay in
+/// place.
 #[test]
 fn files_do_not_control_the_terminal() {
     let scene = "[camera]\nfov = \u{1b}[31m5\u{202e}\0\u{200b}x\n";
     let error = Scene::parse(scene, Path::new("a.toml"), &[]).expect_err("no number").to_string();
     assert!(error.contains("    fov = ␛[31m5\u{fffd}␀\u{fffd}x\n"), "{error:?}");
-    // Words that a message quotes, and strings with line ends in them.
+    // Words that a message quotes, and strings with line ends.
     let error = mesh("a.obj", "v\u{7f}\u{7} 0 0 0\n").expect_err("no statement");
     assert!(error.contains("`v␡␇` is not a statement of OBJ"), "{error:?}");
     let scene = "[rays]\nmax_segments = \"a\\nb\\u001b\"\n";
@@ -94,7 +95,7 @@ fn files_do_not_control_the_terminal() {
     }
 }
 
-/// Decoders word what is wrong for programmers.
+/// Checks that the messages of decoders are translated for users.
 #[test]
 fn what_is_wrong_with_a_picture_is_in_words() {
     let folder = tempfile::tempdir().expect("a folder");

@@ -1,4 +1,4 @@
-//! Meshes that are too large for a device: rejected where their size is known first, and nothing behind that place is read.
+//! Tests of meshes that are too large for a device: they are rejected as soon as their size is known, and the rest of the file is not read.
 
 use std::fs;
 use std::sync::Arc;
@@ -12,7 +12,7 @@ use crate::scene::{Files, Scene};
 
 const SCENE: &str = "[rays]\nbounding_sphere = { radius = 9 }\n[materials.m]\n[[objects]]\nshape = \"mesh\"\nmaterial = \"m\"\nfile = \"NAME\"\n";
 
-/// Loads a scene of this mesh for a device that holds five triangles; returns also how often it was asked for.
+/// Loads a scene of this mesh for a device with a limit of five triangles; also returns how often the limit was requested.
 fn load(name: &str, bytes: &[u8], always: u64) -> (Result<Scene, String>, u32) {
     let folder = tempfile::tempdir().expect("a folder");
     fs::write(folder.path().join(name), bytes).expect("written");
@@ -52,9 +52,9 @@ fn glb(triangles: usize) -> Vec<u8> {
 
 #[test]
 fn a_mesh_that_a_device_cannot_hold_is_rejected_where_its_size_is_known() {
-    // Its numbers are none.
+    // The bytes of this file are NaNs.
     let stl = [&[b' '; 80][..], &6_u32.to_le_bytes(), &[0xff; 300]].concat();
-    // Nothing that follows the sixth triangle is a mistake that is found, and nothing that a header names need be there.
+    // No error after the sixth triangle is found, and the elements that a header declares need not exist.
     for (name, bytes, found) in [
         ("a.obj", (obj(6) + "oops\n").into_bytes(), "6"),
         ("a.obj", b"v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\nf 1 2 3 4\nf 1 2 3 4\noops\n".to_vec(), "6"),

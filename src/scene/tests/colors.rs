@@ -1,4 +1,4 @@
-//! Vertex colors: what each format says of them, and what is said where they are asked for and missing.
+//! Tests of vertex colors in each format, and of the error if a material needs them and they are missing.
 
 use std::path::Path;
 
@@ -9,7 +9,7 @@ use super::gltf::{Made, SQUARE};
 use super::{RAYS, mistakes_of};
 use crate::scene::{Mesh, Scene};
 
-/// Numbers of eight bits in sRGB, and what they are in linear light by IEC 61966-2-1.
+/// Values of eight bits in sRGB, and their linear values by IEC 61966-2-1.
 const SRGB: [(u8, f32); 6] =
     [(0, 0.0), (10, 0.003_035_27), (64, 0.051_269_46), (128, 0.215_860_5), (188, 0.502_886_5), (255, 1.0)];
 
@@ -25,7 +25,7 @@ fn obj(vertices: [&str; 3]) -> Mesh {
     Mesh::parse(&text, Path::new("a.obj")).unwrap_or_else(|error| panic!("{error}"))
 }
 
-/// Two of the colors above at the first vertices, and black.
+/// Checks two of the colors above at the first vertices, and black at the third.
 fn assert_srgb(mesh: &Mesh, of: &str) {
     let [first, second] = [[0, 1, 2], [3, 4, 5]].map(|color| Vec3::from_array(color.map(|i: usize| SRGB[i].1)));
     let expected = [first, second, Vec3::ZERO];
@@ -35,7 +35,7 @@ fn assert_srgb(mesh: &Mesh, of: &str) {
     }
 }
 
-/// The same as words, each a part of `white`.
+/// Returns these colors as text, each as a fraction of `white`.
 fn words(white: f64, digits: usize) -> [String; 3] {
     let word = |i: usize| format!(" {:.digits$}", f64::from(SRGB[i].0) / 255.0 * white);
     [[0, 1, 2], [3, 4, 5], [0, 0, 0]].map(|color| color.map(word).concat())
@@ -45,11 +45,11 @@ fn words(white: f64, digits: usize) -> [String; 3] {
 fn colors_of_an_obj_follow_its_coordinates() {
     let [a, b, c] = words(1.0, 17);
     assert_srgb(&obj([&a, &b, &c]), "obj");
-    // Alpha, or whatever comes next, is not used.
+    // Alpha and further values are ignored.
     assert_srgb(&obj([&format!("{a} 0.5"), &b, &format!("{c} 1 2")]), "obj with alpha");
-    // One number more is a weight, and two are nothing known.
+    // One additional number is a weight, and two have no meaning.
     assert!(obj([" 1", " 1 1", ""]).colors.is_empty());
-    // Vertices without a color are white, before others and behind them.
+    // Vertices without a color are white, whether they come first or last.
     assert_eq!(obj(["", " 0 0 0", ""]).colors, [Vec3::ONE, Vec3::ZERO, Vec3::ONE]);
     // Two vertices in one position keep their colors.
     let text = "v 0 0 0 0 0 0\nv 1 0 0 0 0 0\nv 0 1 0 0 0 0\nv 0 0 0 1 1 1\nv -1 0 0\nf 1 2 3\nf 4 3 5\n";
@@ -88,14 +88,14 @@ fn colors_of_a_ply_are_properties_of_its_vertices() {
     bytes.push(3);
     bytes.extend([0_i32, 1, 2].into_iter().flat_map(i32::to_le_bytes));
     assert_srgb(&load("a.ply", &bytes), "bytes");
-    // Two of the three are no color.
+    // Two of the three channels are not a color.
     let text = header("ascii", "uchar", ["red", "green", "hue"]) + "0 0 1 2 3 0\n1 0 1 2 3 0\n0 1 1 2 3 0\n3 0 1 2\n";
     assert!(load("a.ply", text.as_bytes()).colors.is_empty());
     let stl = "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 2 0 0\nvertex 0 2 0\nendloop\nendfacet\n";
     assert!(load("a.stl", stl.as_bytes()).colors.is_empty());
 }
 
-/// A strip of two triangles with these colors, and what the accessor says.
+/// Returns a strip of two triangles with these colors, and the accessor.
 fn strip(kind: u32, of: &str, bytes: Vec<u8>, is_normalized: bool) -> (Made, Value) {
     let mut made = Made::default();
     let positions = made.floats(&SQUARE);
@@ -106,7 +106,7 @@ fn strip(kind: u32, of: &str, bytes: Vec<u8>, is_normalized: bool) -> (Made, Val
     (made, json!({ "nodes": [{ "mesh": 0 }], "meshes": [{ "primitives": [primitive] }] }))
 }
 
-/// The colors of a glTF file at the corners of the square.
+/// Returns the colors of a glTF file at the corners of the square.
 fn at_corners(mesh: &Mesh) -> Vec<Vec3> {
     let corner = |x: [f32; 3]| mesh.vertices.iter().position(|vertex| vertex.position == Vec3::from(x));
     SQUARE.iter().map(|x| mesh.colors[corner(*x).expect("a corner")]).collect()
@@ -116,7 +116,7 @@ fn at_corners(mesh: &Mesh) -> Vec<Vec3> {
 fn colors_of_gltf_are_linear() {
     let floats = |all: &[f32]| all.iter().flat_map(|x| x.to_le_bytes()).collect::<Vec<u8>>();
     let shorts = |all: &[u16]| all.iter().flat_map(|x| x.to_le_bytes()).collect::<Vec<u8>>();
-    // The specification has numbers above 1 clamped.
+    // The specification clamps values above 1.
     let three = [0.0, 0.25, 1.0, 0.5, 0.5, 0.5, 2.0, 0.0, 0.0, 1.0, 1.0, 1.0];
     let expected = [[0.0, 0.25, 1.0], [0.5; 3], [1.0, 0.0, 0.0], [1.0; 3]].map(Vec3::from);
     let (made, rest) = strip(5126, "VEC3", floats(&three), false);
@@ -130,7 +130,7 @@ fn colors_of_gltf_are_linear() {
     let (made, rest) = strip(5123, "VEC4", shorts(&[13_107, 26_214, 65_535, 9].repeat(4)), true);
     let found = at_corners(&load("a.glb", &made.glb(&rest)));
     assert!(found.iter().all(|color| color.abs_diff_eq(whole.into(), 1e-7)), "{found:?}");
-    // A primitive without colors is white beside one that has some.
+    // A primitive without colors is white next to one with colors.
     let (made, mut rest) = strip(5121, "VEC4", [0, 0, 0, 255].repeat(4), true);
     let primitives = rest["meshes"][0]["primitives"].as_array_mut().expect("primitives");
     primitives.insert(0, json!({ "attributes": { "POSITION": 0 }, "mode": 5 }));
@@ -139,7 +139,7 @@ fn colors_of_gltf_are_linear() {
     assert_eq!([of(0), of(1), of(2), of(3)], [[Vec3::ONE; 3], [Vec3::ONE; 3], [Vec3::ZERO; 3], [Vec3::ZERO; 3]]);
 }
 
-/// Files are read whatever their colors are; it is the scene that uses them which cannot be.
+/// Checks that files with any colors can be read, but that materials reject invalid ones.
 #[test]
 fn colors_that_cannot_be_used_say_why() {
     let lacks = |mesh: &Mesh| mesh.lacks_colors().expect("a reason");
@@ -155,7 +155,7 @@ fn colors_that_cannot_be_used_say_why() {
                  property list uchar int vertex_indices\nproperty uchar red\nproperty uchar green\nproperty uchar blue\n\
                  end_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2 9 9 9\n";
     assert!(lacks(&load("a.ply", faces.as_bytes())).ends_with("the file gives colors to faces, and none to vertices"));
-    // Numbers may be rounded.
+    // Values may be rounded.
     assert_eq!(obj([" 1.000001 0 -1e-9"; 3]).colors, [Vec3::X; 3]);
     let of = "meshes[0].primitives[0].attributes.COLOR_0";
     for (kind, is_normalized, name, value, said) in [
@@ -173,14 +173,14 @@ fn colors_that_cannot_be_used_say_why() {
 
 #[test]
 fn a_mean_color_counts_areas() {
-    // A red triangle, and one that is nine times as large and blue.
+    // A red triangle, and a blue one with nine times its area.
     let text = "v 0 0 0 1 0 0\nv 1 0 0 1 0 0\nv 0 1 0 1 0 0\nv 0 0 0 0 0 1\nv -3 0 0 0 0 1\nv 0 -3 0 0 0 1\nf 1 2 3\nf 4 5 6\n";
     let mesh = Mesh::parse(text, Path::new("a.obj")).expect("a mesh");
     assert!(mesh.mean_color().abs_diff_eq(DVec3::new(0.1, 0.0, 0.9), 1e-12));
     assert_eq!(obj([""; 3]).mean_color(), DVec3::ONE);
 }
 
-/// Paths aim at a lamp by its mean radiance, and not at one whose vertex colors are black.
+/// Checks that next-event estimation samples an emitter by its mean radiance, and ignores one with black vertex colors.
 #[test]
 fn a_lamp_is_as_bright_as_its_vertex_colors() {
     let folder = tempfile::tempdir().expect("a folder");
@@ -200,7 +200,7 @@ fn a_lamp_is_as_bright_as_its_vertex_colors() {
     assert!((red.power - expected).abs() < 1e-12 * expected, "{red:?}");
 }
 
-/// A scene of two meshes, one with colors; the second object has these keys.
+/// Parses a scene of two meshes, one with colors; the second object has these keys.
 fn scene(diffuse: &str, object: &str) -> Result<Scene, crate::scene::SceneError> {
     let folder = tempfile::tempdir().expect("a folder");
     for (name, color) in [("plain", ""), ("odd", " 2 2 2"), ("colored", " 1 0 0")] {
@@ -232,7 +232,7 @@ fn a_material_that_uses_colors_needs_a_mesh_that_has_them() {
         let [mistake] = &mistakes[..] else { panic!("{mistakes:?}") };
         assert!(mistake.problem.contains(said), "{mistake}\nand not\n{said}");
         assert_eq!((mistake.line, mistake.column), (line, 12), "{mistake}");
-        // Without them all is well.
+        // Without vertex colors the scene is valid.
         scene("{ vertex_colors = false, color = [1, 1, 1] }", &object).unwrap_or_else(|error| panic!("{error}"));
     }
 }

@@ -1,4 +1,4 @@
-//! Surfaces cross planes where they should.
+//! Tests of the outlines in which surfaces cross planes.
 
 use std::path::Path;
 use std::sync::Arc;
@@ -19,7 +19,7 @@ fn object(shape: impl Shape, scale: [f64; 3], rotate: [f64; 3], translate: [f64;
     Object::new(Arc::new(shape), transform, Substance::Opaque(0))
 }
 
-/// The only outline, all of whose points are in the plane.
+/// Returns the only outline, and checks that all of its points are in the plane.
 fn only(object: &Object, plane: &CutPlane) -> Outline {
     let mut outlines = object.cut(plane);
     assert_eq!(outlines.len(), 1, "{outlines:?}");
@@ -90,14 +90,14 @@ fn a_box_is_cut_in_three_to_six_corners() {
     assert!(square.closed && square.points.len() == 4);
     assert!((length(&square) - 16.0).abs() < 1e-7);
     let unit = object(Cuboid, [1.0; 3], [0.0; 3], [0.0; 3]);
-    // Through the middle across a diagonal: a regular hexagon of side √2. Nearer to a corner: a triangle.
+    // The section through the center perpendicular to a diagonal is a regular hexagon of side √2; closer to a corner it is a triangle.
     let hexagon = only(&unit, &plane([0.0; 3], [1.0; 3]));
     assert_eq!(hexagon.points.len(), 6);
     assert!((length(&hexagon) - 6.0 * 2.0_f64.sqrt()).abs() < 1e-7);
     let triangle = only(&unit, &plane([0.9, 0.9, 0.9], [1.0; 3]));
     assert_eq!(triangle.points.len(), 3);
     assert!((length(&triangle) - 9.0 * 0.2 * 0.5_f64.sqrt()).abs() < 1e-7);
-    // In a face, and beyond it.
+    // A plane in a face, and a plane beyond it.
     assert!((length(&only(&unit, &plane([1.0, 0.0, 0.0], [1.0, 0.0, 0.0]))) - 8.0).abs() < 1e-6);
     assert!(unit.cut(&plane([1.001, 0.0, 0.0], [1.0, 0.0, 0.0])).is_empty());
 }
@@ -114,7 +114,7 @@ fn a_plane_is_cut_in_a_line() {
     assert!(floor.cut(&plane([0.0; 3], [0.0, 1.0, 0.0])).is_empty());
     let edge = only(&floor, &plane([0.0, -1.0, 0.0], [0.0, 1.0, 0.0]));
     assert!(edge.closed && (length(&edge) - 24.0).abs() < 1e-12);
-    // Across a corner, |x| + |z| = 1.5 in its own space.
+    // A section across a corner, |x| + |z| = 1.5 in object space.
     let corner = only(&floor, &plane([7.0, 0.0, 0.0], [1.0, 0.0, 2.0]));
     assert!((length(&corner) - 0.5 * 20.0_f64.sqrt()).abs() < 1e-12, "{corner:?}");
 }
@@ -127,7 +127,7 @@ fn a_mesh_is_cut_in_closed_lines_where_it_is_closed() {
     let triangle = only(&scaled, &plane([0.0, 0.0, 6.0], [0.0, 0.0, 1.0]));
     assert!(triangle.closed && triangle.points.len() == 3);
     assert!((length(&triangle) - (2.0 + 2.0_f64.sqrt())).abs() < 1e-12, "{triangle:?}");
-    // Through corners.
+    // A plane through corners.
     assert!(only(&scaled, &plane([0.0, 0.0, 5.0], [1.0, -1.0, 0.0])).closed);
     assert!(scaled.cut(&plane([0.0, 0.0, 7.1], [0.0, 0.0, 1.0])).is_empty());
     let without_a_face = text.rsplit_once("f 3").unwrap().0;
@@ -143,7 +143,7 @@ fn a_real_mesh_has_as_much_outline_as_edges() {
     let mesh = Arc::new(Mesh::load(&path).unwrap());
     let middle = mesh.vertices.iter().map(|v| v.position.as_dvec3()).sum::<DVec3>() / mesh.vertices.len() as f64;
     let plane = CutPlane::new(middle, DVec3::new(0.3, 0.2, 1.0)).unwrap();
-    // Every triangle that has corners on both sides adds its crossing, whatever the order that they are joined in.
+    // Every triangle with corners on both sides adds its crossing, in any order.
     let mut expected = 0.0;
     for corners in &mesh.triangles {
         let corners = corners.map(|i| mesh.vertices[i as usize].position.as_dvec3());
@@ -176,7 +176,7 @@ fn a_horizon_is_cut_like_a_sphere() {
     assert!(cut(3.1).is_none());
 }
 
-/// A hole that spins has a horizon that is a spheroid, and about it the ergosphere, which meets it at the poles alone.
+/// Checks that a rotating black hole has a spheroidal horizon inside an ergosphere, which touches it only at the poles.
 #[test]
 fn horizons_and_ergospheres_are_cut_as_they_are() {
     let (mass, spin, center) = (2.0, 1.5, DVec3::new(1.0, -2.0, 0.5));
@@ -196,7 +196,7 @@ fn horizons_and_ergospheres_are_cut_as_they_are() {
             for p in outline.points {
                 let d = p - center;
                 let (up, aside) = (d.dot(axis), d.reject_from_normalized(axis).length());
-                // r² from ρ²/(r² + a²) + z²/r² = 1.
+                // The radius follows from ρ²/(r² + a²) + z²/r² = 1.
                 let excess = d.length_squared() - spin * spin;
                 let r2 = 0.5 * (excess + (excess * excess + 4.0 * spin * spin * up * up).sqrt());
                 assert!((aside * aside / (r2 + spin * spin) + up * up / r2 - 1.0).abs() < 1e-9);

@@ -1,4 +1,4 @@
-//! Text as programs and editors write it: marks, encodings, ends of lines, comments, and words that nothing reads.
+//! Tests of text files from different programs: byte order marks, encodings, line ends, comments, and unused words.
 
 use std::path::Path;
 
@@ -18,7 +18,7 @@ const GLTF: &str = "{\n  \"asset\": { \"version\": \"2.0\" }\n}\n";
 
 type Read = fn(&Path) -> Result<String, SceneError>;
 
-/// Every reader of text files, with a file for it; what it reads is put into words.
+/// Every reader of text files with a sample file; each returns a description of the contents.
 const READERS: [(&str, &str, Read); 7] = [
     ("a.obj", SQUARE, mesh),
     ("a.ply", PLY, mesh),
@@ -67,7 +67,7 @@ fn every_reader_of_text_takes_marks_and_ends_of_lines_and_names_utf_16() {
 
 #[test]
 fn bytes_behind_a_header_are_taken_as_they_are() {
-    // Samples and coordinates of which some bytes are ends of lines.
+    // Samples and coordinates with bytes that are also line ends.
     let folder = tempfile::tempdir().expect("a folder");
     let path = folder.path().join("a.nrrd");
     for line_end in ["\n", "\r\n", "\r"] {
@@ -79,7 +79,7 @@ fn bytes_behind_a_header_are_taken_as_they_are() {
         assert_eq!(grid.samples, samples.map(f32::from));
     }
     let path = folder.path().join("a.ply");
-    // The number 10 in 16 bits is a line's end and a zero.
+    // The number 10 in 16 bits is a line end and a zero.
     let header = PLY.split("-1 -1 0").next().expect("a header").replace("ascii", "binary_little_endian");
     let header = header.replace("float", "short").replace("uchar int", "uchar uchar");
     let corners = [[10_i16, 10, 13], [10, 2570, 13], [10, 10, 3338]];
@@ -124,7 +124,7 @@ fn an_unknown_statement_of_an_obj_is_a_mistake() {
         let told = obj(&format!("{SQUARE}{line}\n")).expect_err("an error");
         assert!(told.starts_with(said), "{told}\nand not\n{said}");
     }
-    // Every keyword of the specification is known, and geometry that is not drawn is counted.
+    // Every keyword of the specification is accepted, and geometry that is not drawn is counted.
     let known = "vp 0 0\ncstype bezier\ndeg 3\nbmat u 1\nstep 1\nparm u 0\ntrim 0\nhole 0\nscrv 0\nsp 1\nend\ncon 1\ng a\ns 1\n\
                  mg 0\no a\nbevel on\nc_interp on\nd_interp on\nlod 1\nusemtl a\nmtllib a\nusemap a\nmaplib a\nshadow_obj a\n\
                  trace_obj a\nctech cparm 1\nstech cparma 1 1\ncsh -a\n";

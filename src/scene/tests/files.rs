@@ -1,4 +1,4 @@
-//! Meshes and pictures, and scenes that name them.
+//! Tests of meshes and images, and of scenes that reference them.
 
 use super::{Scene, mistakes_of};
 use crate::assets::Files;
@@ -32,14 +32,14 @@ fn area(mesh: &Mesh) -> Vec3 {
 
 #[test]
 fn a_concave_polygon_keeps_its_area_and_sense() {
-    // An L of area 3, in the plane z = 1, in both senses.
+    // An L of area 3 in the plane z = 1, in both orientations.
     let l = "v 0 0 1\nv 2 0 1\nv 2 1 1\nv 1 1 1\nv 1 2 1\nv 0 2 1\n";
     let one = mesh(&format!("{l}f 1 2 3 4 5 6\n"));
     assert_eq!(one.triangles.len(), 4);
     assert!(area(&one).abs_diff_eq(3.0 * Vec3::Z, 1e-6));
     let other = mesh(&format!("{l}f -1 -2 -3 -4 -5 -6\n"));
     assert!(area(&other).abs_diff_eq(-3.0 * Vec3::Z, 1e-6));
-    // No triangle turns the other way.
+    // All triangles have one orientation.
     for t in &one.triangles {
         let single = Mesh::new(one.vertices.clone(), vec![*t]);
         assert!(area(&single).z > 0.0);
@@ -111,7 +111,7 @@ fn pictures_become_linear() {
     let [r, g, b] = picture.pixels[1];
     assert_eq!((r, b), (0.0, 1.0));
     assert!((g - 0.502_886).abs() < 1e-5, "{g}");
-    // 16 bits, gray; the content tells the format.
+    // 16-bit gray; the content determines the format.
     let grey = image::ImageBuffer::<Luma<u16>, _>::from_pixel(1, 1, Luma([188 * 257]));
     let grey = DynamicImage::ImageLuma16(grey);
     grey.save_with_format(path("grey.exr"), ImageFormat::Png).expect("saved");
@@ -166,7 +166,7 @@ fn a_scene_loads_each_file_once() {
     assert_eq!(scene.sky, Sky::Faces([0, 1, 0, 0, 1, 0], 2.0));
     assert!(matches!(scene.materials[0].color, Pattern::Picture { picture: 1, .. }));
 
-    // What is wrong with a file is said once: in the file if it has lines, else where it is named first.
+    // An error of a file is reported once: in the file if it has lines, and otherwise at its first reference.
     fs::write(path("m.obj"), "v 0 0 0\nf 1 2 3\n").expect("written");
     fs::write(path("b.png"), "").expect("written");
     let mistakes = mistakes_of(Scene::load(&path("scene.toml"), &[]));
@@ -175,7 +175,7 @@ fn a_scene_loads_each_file_once() {
     assert_eq!((mistakes[1].file.clone(), mistakes[1].line), (path("m.obj"), 2));
 }
 
-/// Frames share what they name, and no scene is given what another's file was, or what failed.
+/// Checks that frames share files, and that no scene receives another scene's file or a failed one.
 #[test]
 fn scenes_that_share_their_files_load_each_once() {
     let folder = tempfile::tempdir().expect("a folder");
@@ -212,10 +212,10 @@ fn scenes_that_share_their_files_load_each_once() {
     assert!(Arc::ptr_eq(&grid_1, &grid_2));
     assert!((grid_3.samples[0] - grid_1.samples[0] - 1.0).abs() < 1e-6, "used otherwise, it is another grid");
     assert!(Arc::ptr_eq(&first.pictures[0].pixels, &again.pictures[0].pixels));
-    // A scene's pictures are its own, in the order in which it names them.
+    // A scene has its own list of images, in the order of its references.
     assert_eq!(other.pictures.iter().map(|picture| picture.size).collect::<Vec<_>>(), [[4, 2], [2, 2]]);
 
-    // What is loaded stays, and what failed is tried again.
+    // Loaded files stay in the cache, and failed ones are loaded again.
     fs::write(path("m.obj"), "v 0 0 0\nf 1 2 3\n").expect("written");
     good(&scene("a.png", 1.0));
     assert_eq!(mistakes_of(load(&scene("c.png", 1.0))).len(), 1);
@@ -227,7 +227,7 @@ fn scenes_that_share_their_files_load_each_once() {
 fn a_jpeg_is_a_picture() {
     let folder = tempfile::tempdir().expect("a folder");
     let path = folder.path().join("a.jpg");
-    // A JPEG of one gray block of 8 × 8, written by hand: baseline, its DC coefficient 0, which is the value 128.
+    // A handwritten JPEG of one gray 8 × 8 block: baseline with DC coefficient 0, which is the value 128.
     let mut bytes = vec![0xFF, 0xD8, 0xFF, 0xDB, 0, 67, 0];
     bytes.extend([1; 64]);
     bytes.extend([0xFF, 0xC0, 0, 11, 8, 0, 8, 0, 8, 1, 1, 0x11, 0]);
@@ -236,7 +236,7 @@ fn a_jpeg_is_a_picture() {
         bytes.extend([0; 15]);
         bytes.push(0);
     }
-    // Twice the word 0 of one bit: no change, and the end of the block.
+    // Twice the one-bit word 0: no change, and the end of the block.
     bytes.extend([0xFF, 0xDA, 0, 8, 1, 1, 0, 0, 63, 0, 0b0011_1111, 0xFF, 0xD9]);
     fs::write(&path, bytes).expect("written");
     let picture = Picture::load(&path).unwrap_or_else(|e| panic!("{e}"));

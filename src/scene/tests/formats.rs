@@ -1,4 +1,4 @@
-//! PLY and STL: what they say is what OBJ says, and what is wrong with them is told.
+//! Tests of PLY and STL: their meshes equal those of OBJ, and their errors are reported.
 
 use std::fmt::Write as _;
 use std::path::Path;
@@ -8,7 +8,7 @@ use proptest::prelude::*;
 
 use crate::scene::{Mesh, SceneError};
 
-/// A file of this name is read.
+/// Loads a file with this name.
 fn load(name: &str, bytes: &[u8]) -> Result<Mesh, SceneError> {
     let folder = tempfile::tempdir().expect("a folder");
     let path = folder.path().join(name);
@@ -20,7 +20,7 @@ fn good(name: &str, bytes: &[u8]) -> Mesh {
     load(name, bytes).unwrap_or_else(|error| panic!("{error}"))
 }
 
-/// The error's text, without the folder.
+/// Returns the text of the error without the folder.
 fn wrong(name: &str, bytes: &[u8]) -> String {
     let text = load(name, bytes).expect_err("an error").to_string();
     let (front, rest) = text.split_once(name).unwrap_or_else(|| panic!("{text}"));
@@ -28,13 +28,13 @@ fn wrong(name: &str, bytes: &[u8]) -> String {
     format!("{}{name}{rest}", front.split('`').next().filter(|_| front.contains('`')).unwrap_or_default())
 }
 
-/// Triangles as places, so that meshes can be compared however their vertices are numbered.
+/// Returns the triangles as positions, so that meshes can be compared regardless of the order of vertices.
 fn places(mesh: &Mesh) -> Vec<[Vec3; 3]> {
     let place = |i: u32| (mesh.origin + mesh.vertices[i as usize].position.as_dvec3()).as_vec3();
     mesh.triangles.iter().map(|t| t.map(place)).collect()
 }
 
-/// A house: a square of four corners, and a roof of three.
+/// The points of a house: a square of four corners, and a roof of three.
 const POINTS: [[f32; 3]; 5] = [[0.0, 0.0, 0.0], [2.0, 0.0, 0.0], [2.0, 2.0, 0.5], [0.0, 2.0, 0.5], [1.0, 3.0, -1.0]];
 const FACES: [&[u32]; 2] = [&[0, 1, 2, 3], &[3, 2, 4]];
 
@@ -148,7 +148,7 @@ fn what_a_ply_says_of_vertices_and_faces_is_taken() {
     let mesh = good("a.ply", (header.replace("UV", "") + vertices).as_bytes());
     assert_eq!(mesh.vertices[0].normal, Vec3::new(0.0, 0.6, 0.8));
     assert_eq!(mesh.vertices[0].uv, Vec2::new(0.5, 0.25));
-    // What is no normal is made.
+    // Invalid normals are replaced.
     assert_eq!([mesh.vertices[1].normal, mesh.vertices[2].normal], [Vec3::Z; 2]);
     let own = header.replace("UV", "property list uchar float texcoord\n") + " 6 0 1 0.5 0.75 1 0";
     let mesh = good("a.ply", (own + vertices).as_bytes());
@@ -164,14 +164,14 @@ fn strips_of_a_ply_are_the_triangles_that_they_are_made_of() {
         )
     };
     let points = POINTS.map(|[x, y, z]| format!("{x} {y} {z}\n")).concat();
-    // A square as a strip, its two triangles again as strips of one, and a strip that is too short, before and behind others.
+    // A square as one strip, its two triangles again as separate strips, and a strip that is too short, before and after others.
     let text = header("ascii", "int") + &points + "7 0 1 3 2 -1 4 3\n9 -1 0 1 3 -1 3 1 2 -1\n";
     let faces = [[0, 1, 3], [3, 1, 2], [0, 1, 3], [3, 1, 2]];
     let expected: Vec<_> = faces.map(|face| face.map(|i: usize| Vec3::from(POINTS[i]))).to_vec();
     let mesh = good("a.ply", text.as_bytes());
     assert_eq!(places(&mesh), expected);
     assert_eq!(mesh.left_out, [""; 0]);
-    // In bytes, with indices that have no sign.
+    // In binary, with unsigned indices.
     let mut bytes = header("binary_little_endian", "uint").into_bytes();
     bytes.extend(POINTS.iter().flatten().flat_map(|x| x.to_le_bytes()));
     let strips: [&[i32]; 2] = [&[0, 1, 3, 2, -1, 4, 3], &[-1, 0, 1, 3, -1, 3, 1, 2, -1]];
@@ -262,7 +262,7 @@ fn mistakes_in_bytes_have_their_places() {
         wrong("a.ply", &broken)
             .contains(&format!("at byte {last}: there is no vertex `5` (5 vertices, counted from 0)"))
     );
-    // Counts that the bytes cannot hold name both numbers.
+    // Counts that exceed the file are reported with both numbers.
     let forge = |from: &str, to: &str| {
         wrong("a.ply", &[ply_header("binary_little_endian").replace(from, to).as_bytes(), &[0; 100]].concat())
     };
@@ -317,7 +317,7 @@ fn other_formats_are_refused_by_name() {
 }
 
 proptest! {
-    /// Whatever bytes are changed, and wherever the file is cut.
+    /// Checks that the reader survives arbitrary changes of bytes and truncation.
     #[test]
     fn damaged_files_do_not_panic(
         which in 0..5_usize,

@@ -1,4 +1,4 @@
-//! glTF: what its nodes, meshes and accessors say is what is drawn.
+//! Tests of glTF geometry: nodes, meshes and accessors.
 
 mod import;
 mod wrong;
@@ -11,7 +11,7 @@ use serde_json::{Value, json};
 use crate::assets::{Gltf, NodeName, Part, Wanted};
 use crate::scene::{Files, Mesh, Scene, SceneError};
 
-/// A file in the making: its numbers, and what says where they are.
+/// A file under construction: its binary data and the views of it.
 #[derive(Default)]
 pub(super) struct Made {
     bytes: Vec<u8>,
@@ -39,7 +39,7 @@ impl Made {
         self.accessor(5126, ["SCALAR", "VEC2", "VEC3"][N - 1], all.len(), bytes)
     }
 
-    /// The JSON, with these nodes, meshes and whatever else.
+    /// Returns the JSON with these nodes, meshes and other properties.
     fn json(&self, rest: &Value) -> Value {
         let mut all = json!({
             "asset": { "version": "2.0" },
@@ -92,7 +92,7 @@ fn one_node(primitives: &Value) -> Value {
 /// The corners of a square.
 pub(super) const SQUARE: [[f32; 3]; 4] = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [1.0, 1.0, 0.0]];
 
-/// A square of two triangles.
+/// Returns a square of two triangles.
 fn square() -> (Made, Value) {
     let mut made = Made::default();
     let positions = made.floats(&SQUARE);
@@ -131,7 +131,7 @@ fn nodes_place_their_meshes() {
     let (mut made, _) = square();
     let normals = made.floats(&[[0.0, 0.6, 0.8]; 4]);
     let primitive = json!([{ "attributes": { "POSITION": 0, "NORMAL": normals }, "indices": 1 }]);
-    // A parent that turns by a right angle about x, and a child that moves, stretches and mirrors.
+    // The parent rotates by a right angle around x, and the child translates, scales and mirrors.
     let half = std::f32::consts::FRAC_1_SQRT_2;
     let rest = json!({
         "scene": 1,
@@ -151,11 +151,11 @@ fn nodes_place_their_meshes() {
     for (found, expected) in [a, b, c].into_iter().zip(expected) {
         assert!(found.abs_diff_eq(expected, 1e-6), "{found} {expected}");
     }
-    // Still counter-clockwise seen from where the normals point.
+    // The orientation remains counterclockwise seen from the tip of the normals.
     let across = (b - a).cross(c - a);
     let normal = mesh.vertices[0].normal;
     assert!(across.dot(normal) > 0.0, "{across} {normal}");
-    // (0, 0.6, 0.8) is across (y halved): (0, 0.3, 0.8), turned to (0, −0.8, 0.3).
+    // The normal (0, 0.6, 0.8) is (0, 0.3, 0.8) after y is halved, and rotates to (0, −0.8, 0.3).
     assert!(normal.abs_diff_eq(Vec3::new(0.0, -0.8, 0.3).normalize(), 1e-6), "{normal}");
 }
 
@@ -171,13 +171,13 @@ fn texture_coordinates_are_those_that_the_colour_uses() {
         rest["materials"] = json!([{ "pbrMetallicRoughness": { "baseColorTexture": texture } }]);
         good(&made.glb(&rest)).vertices.iter().map(|v| v.uv).collect::<Vec<_>>()
     };
-    // v is counted from below here.
+    // Here v is counted from below.
     assert_eq!(with(json!({ "index": 0 }))[..3], [Vec2::new(0.0, 1.0), Vec2::new(1.0, 1.0), Vec2::new(0.0, 0.0)]);
     assert_eq!(with(json!({ "index": 0, "texCoord": 1 }))[0], Vec2::new(1.0, 1.0));
     let moved = json!({ "offset": [0.5, 0.25], "scale": [2, 4] });
     let moved = with(json!({ "index": 0, "extensions": { "KHR_texture_transform": moved } }));
     assert_eq!(moved[1], Vec2::new(2.5, 0.75));
-    // The extension's own example: a right angle counter-clockwise about the picture's lower left corner, in its upper left part.
+    // The example of the extension: a counterclockwise right angle around the lower left corner of the image, in its upper left part.
     let turned = json!({ "offset": [0, 1], "rotation": std::f32::consts::FRAC_PI_2, "scale": [0.5, 0.5] });
     let turned = with(json!({ "index": 0, "extensions": { "KHR_texture_transform": turned } }));
     assert!(turned[1].abs_diff_eq(Vec2::new(0.0, 0.5), 1e-6), "{turned:?}");
@@ -186,7 +186,7 @@ fn texture_coordinates_are_those_that_the_colour_uses() {
 #[test]
 fn sparse_and_whole_numbers_are_read() {
     let mut made = Made::default();
-    // Bytes, four apart.
+    // Bytes with a stride of four.
     let corners = made.view([0_u8, 0, 0, 9, 100, 0, 0, 9, 0, 100, 0, 9]);
     made.views[corners]["byteStride"] = json!(4);
     made.accessors.push(json!({ "bufferView": corners, "componentType": 5121, "type": "VEC3", "count": 3 }));
@@ -216,7 +216,7 @@ fn buffers_are_in_the_file_beside_it_or_in_the_text() {
         let path = folder.path().join("a.gltf");
         std::fs::write(&path, all.to_string()).expect("written");
         assert_eq!(Mesh::load(&path).unwrap_or_else(|error| panic!("{error}")), expected);
-        // What a picture is made of is all of it.
+        // The list of files that an image depends on is complete.
         let scene = folder.path().join("scene.toml");
         let text = "[rays]\nbounding_sphere = { radius = 9 }\n[materials.m]\n[[objects]]\nshape = \"mesh\"\nfile = \"a.gltf\"\n\
                     material = \"m\"\n";
@@ -316,7 +316,7 @@ fn nodes_with_the_same_mesh_share_it() {
     let scene_of_three = scene(&[0, 1, 2]).unwrap_or_else(|error| panic!("{error}"));
     let meshes: Vec<_> = scene_of_three.objects.iter().filter_map(|object| object.shape.mesh()).collect();
     assert!(std::sync::Arc::ptr_eq(meshes[0], meshes[1]) && !std::sync::Arc::ptr_eq(meshes[0], meshes[2]));
-    // By (0.6, 0.8) the x axis turns to (0.28, 0.96).
+    // The rotation with the quaternion (z, w) = (0.6, 0.8) takes the x axis to (0.28, 0.96).
     let turned = |p: DVec3| DVec3::new(0.56 * p.x - 0.96 * p.y, 3.0 + 1.92 * p.x + 0.28 * p.y, p.z);
     let [_, map, mirrored] = [0, 1, 2].map(|k| scene_of_three.objects[k].transform.0);
     for vertex in &meshes[0].vertices {
@@ -325,7 +325,7 @@ fn nodes_with_the_same_mesh_share_it() {
         let seen = meshes[2].vertices.iter().map(|vertex| mirrored.transform_point3(vertex.position.as_dvec3()));
         assert!(seen.into_iter().any(|q| q == p * DVec3::new(-1.0, 1.0, 1.0)), "{p}");
     }
-    // Turned inside out it would be seen from behind.
+    // Inside out, the mesh would be seen from behind.
     let facing = |mesh: &Mesh| {
         let [a, b, c] = mesh.triangles[0].map(|i| mesh.vertices[i as usize].position);
         (b - a).cross(c - a).z > 0.0

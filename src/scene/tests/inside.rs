@@ -1,4 +1,4 @@
-//! What is inside: closed meshes and open ones, and points against what sampling says.
+//! Tests of the inside of closed and open meshes, and of point tests against sampling.
 
 use super::{good, parse};
 use crate::model::medium::{Constant, Luneburg, Rod};
@@ -9,7 +9,7 @@ use proptest::prelude::*;
 use std::path::Path;
 use std::sync::Arc;
 
-/// The cube |x|, |y|, |z| ≤ 1, its faces wound outwards.
+/// The cube |x|, |y|, |z| ≤ 1 with its faces wound outwards.
 const CUBE: &str = "v -1 -1 -1\nv 1 -1 -1\nv 1 1 -1\nv -1 1 -1\nv -1 -1 1\nv 1 -1 1\nv 1 1 1\nv -1 1 1\n";
 const FACES: [&str; 6] = ["f 1 4 3 2\n", "f 5 6 7 8\n", "f 1 2 6 5\n", "f 4 8 7 3\n", "f 1 5 8 4\n", "f 2 3 7 6\n"];
 
@@ -33,7 +33,7 @@ fn placed(shape: Arc<dyn Shape>, transform: Transform) -> Object {
 #[test]
 fn a_closed_mesh_has_no_hole() {
     assert_eq!(cube().hole(), None);
-    // Corners of different normals are in one place all the same, and so are 0 and -0.
+    // Corners with different normals still share one position, and so do 0 and -0.
     let apart = "vn 0 0 1\nvn 0 1 0\nv 0 0 0\nv -0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n";
     let tetrahedron = mesh(&format!("{apart}f 1//1 4//1 3//1\nf 2//2 3//2 5//1\nf 3 4 5\nf 4 1 5\n"));
     assert_eq!(tetrahedron.hole(), None);
@@ -53,7 +53,7 @@ fn triangles_that_wind_otherwise_than_their_neighbours_are_a_hole() {
     let mut mesh = cube();
     mesh.triangles[7].swap(0, 1);
     assert!(mesh.hole().is_some());
-    // Inside out all over is closed.
+    // A cube that is inside out is still closed.
     let mut inverted = cube();
     inverted.triangles.iter_mut().for_each(|triangle| triangle.swap(0, 1));
     assert_eq!(inverted.hole(), None);
@@ -64,7 +64,7 @@ fn triangles_that_wind_otherwise_than_their_neighbours_are_a_hole() {
     );
 }
 
-/// The bunny is closed and winds outwards everywhere; the teapot's body is open under its lid.
+/// Checks that the bunny is closed and wound outwards, and that the teapot's body is open under its lid.
 #[test]
 fn the_bunny_is_closed_and_the_teapot_open() {
     let load = |name: &str| {
@@ -135,7 +135,7 @@ fn gaps_are_distances() {
     near(cylinder.gap(from(DVec3::new(0.3, 0.0, 0.4))), -1.0);
     near(cylinder.gap(from(DVec3::new(0.0, 0.9, 0.0))), -0.5);
     near(cylinder.gap(from(DVec3::new(0.0, 0.0, -3.0))), 4.0);
-    // The first order of an ellipsoid: along its own short axis the distance itself.
+    // The first-order distance of an ellipsoid is exact along its short axis.
     let flat = object(Sphere, Transform::new(DVec3::new(4.0, 1.0, 4.0), DVec3::ZERO, DVec3::ZERO));
     near(flat.gap(DVec3::new(0.0, 1.25, 0.0)), 0.25);
 }
@@ -159,7 +159,7 @@ fn a_cylinder_gives_its_medium_its_radius_and_axis() {
     let medium = rod(keys, "kind = \"luneburg\"");
     let Luneburg { radius, .. } = medium.downcast().expect("a lens");
     assert!((radius - 6.0).abs() < 1e-12, "{radius}");
-    // An elliptic or a sheared cylinder has no radius.
+    // An elliptic or sheared cylinder has no radius.
     for place in ["scale = [3, 7, 2]", "axis = [0, 1, 1]\nscale = [1, 1, 2]"] {
         let text = format!(
             "[rays]\nbounding_sphere = {{ radius = 99 }}\n[[objects]]\nshape = \"cylinder\"\n{place}\ninterior = {{ kind = \"eaton\" }}\n"
@@ -174,7 +174,7 @@ fn vector(range: std::ops::Range<f64>) -> impl Strategy<Value = DVec3> {
 }
 
 proptest! {
-    /// By inequalities in the shape's own space, and by what a small move does to the gap.
+    /// Compares with inequalities in object space, and checks the gap after a small displacement.
     #[test]
     fn points_are_where_their_own_coordinates_say(
         own in vector(-1.5..1.5), scale in vector(0.1..5.0), rotate in vector(-180.0..180.0), translate in vector(-3.0..3.0),
@@ -198,7 +198,7 @@ proptest! {
             prop_assert_eq!(object.contains(x), size < 1.0, "{} at {}", what, own);
             if let Some(gap) = object.gap(x) {
                 prop_assert_eq!(gap < 0.0, size < 1.0, "{} at {}", what, own);
-                // From a point inside a box no face is nearer than the gap, whatever the direction.
+                // From a point inside a box, no face is closer than the gap in any direction.
                 let moved = x + DVec3::new(0.6, -0.64, 0.48) * (0.999 * gap);
                 prop_assert!(gap >= 0.0 || object.shape.downcast::<Cuboid>().is_none() || object.contains(moved), "{} of {}", gap, own);
             }
@@ -206,7 +206,7 @@ proptest! {
     }
 }
 
-/// Of a triangle as thin as rounding its plane says nothing of what is far away.
+/// Checks that the plane of a triangle as thin as rounding does not affect distant points.
 #[test]
 fn nothing_is_near_a_sliver_that_is_far_away() {
     let sliver = mesh("v 0 1 0\nv 1.2246e-16 1 0\nv 0.0044 0.99999 -1e-19\nf 1 2 3\n");

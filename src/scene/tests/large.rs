@@ -1,4 +1,4 @@
-//! Meshes far from the origin of their file, such as those in coordinates of a map: what is small in them stays where it is.
+//! Tests of meshes far from the origin of their file, such as map coordinates: small details stay in place.
 
 use std::fmt::Write as _;
 
@@ -9,9 +9,9 @@ use super::gltf::Made;
 use crate::scene::import::import;
 use crate::scene::{Gltf, Mesh, Scene};
 
-/// A place in UTM coordinates, meters.
+/// A position in UTM coordinates, in meters.
 const PLACE: DVec3 = DVec3::new(448_262.123, 5_411_932.678, 96.54321);
-/// Corners of a triangle about it.
+/// The corners of a triangle around the position.
 const CORNERS: [DVec3; 3] = [DVec3::new(-1.0, -1.0, 0.0), DVec3::new(1.0, -1.0, 0.25), DVec3::new(0.015_625, 1.0, 0.0)];
 
 fn places() -> [DVec3; 3] {
@@ -19,7 +19,7 @@ fn places() -> [DVec3; 3] {
 }
 
 fn obj() -> Vec<u8> {
-    // A point that no triangle uses does not matter.
+    // An unused point has no effect.
     let mut text = "v 0 0 0\n".to_owned();
     for DVec3 { x, y, z } in places() {
         writeln!(text, "v {x} {y} {z}").expect("written");
@@ -55,7 +55,7 @@ fn ply(format: &str) -> Vec<u8> {
     [header.into_bytes(), body].concat()
 }
 
-/// The same triangle, whose node has the place.
+/// Returns the triangle in a node at the position.
 fn glb(node: &serde_json::Value) -> Vec<u8> {
     let mut made = Made::default();
     made.floats(&CORNERS.map(|corner| corner.as_vec3().to_array()));
@@ -64,14 +64,14 @@ fn glb(node: &serde_json::Value) -> Vec<u8> {
     made.glb(&json!({ "nodes": [node], "meshes": [{ "primitives": [{ "attributes": { "POSITION": 0 } }] }] }))
 }
 
-/// Where the corners of a scene's only object are, in the scene.
+/// Returns the corners of a scene's only object, in scene coordinates.
 fn corners(scene: &Scene) -> Vec<DVec3> {
     let object = &scene.objects[0];
     let mesh = object.shape.mesh().expect("a mesh");
     mesh.vertices.iter().map(|vertex| object.transform.0.transform_point3(vertex.position.as_dvec3())).collect()
 }
 
-/// Ten times the error of a number of 64 bits at that place, and of 32 bits within two units of it.
+/// Ten times the error of a 64-bit number at that position, plus that of a 32-bit number within two units of it.
 const NEAR: f64 = 10.0 * (5.5e6 * f64::EPSILON + 2.0 * 1.2e-7);
 
 #[test]
@@ -109,7 +109,7 @@ fn positions_of_32_bits_stay_exact_about_another_origin() {
     let lines = corners.map(|[x, y, z]| format!("v {x} {y} {z}\n"));
     let text = format!("{}f 1 2 3\n", lines.concat());
     let mesh = Mesh::parse(&text, std::path::Path::new("a.obj")).unwrap_or_else(|error| panic!("{error}"));
-    // Along y the file's own origin is near.
+    // The y axis keeps the file's origin, which is close.
     assert!(mesh.origin.x > 1000.0 && mesh.origin.y == 0.0 && mesh.origin.z < -7.0, "{}", mesh.origin);
     for (vertex, corner) in mesh.vertices.iter().zip(corners) {
         assert_eq!((mesh.origin + vertex.position.as_dvec3()).as_vec3(), Vec3::from(corner));

@@ -1,10 +1,10 @@
-//! Each kind of wrong input: what is said, and at which line and column.
+//! Tests of each kind of invalid input: the message, line and column.
 
 use super::{RAYS, marked, mistakes_of, parse};
 use crate::scene::SceneError;
 
-/// `=== BASE: MESSAGE` and a text with the place marked. The text is the whole scene, or follows the bound (`rays`), or
-/// follows the header of an object (`object`); the message is part of the problem and the help.
+/// The cases: `=== BASE: MESSAGE` and a text with a marked location. The text is the whole scene, or follows the bounding sphere (`rays`)
+/// or the header of an object (`object`); the message is part of the problem and the help.
 const CASES: &str = include_str!("mistakes.txt");
 
 #[test]

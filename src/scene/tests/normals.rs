@@ -1,4 +1,4 @@
-//! Normals that files lack: smooth where faces meet at a small angle, sharp at edges.
+//! Tests of generated normals: smooth where faces meet at a small angle, sharp at edges.
 
 use std::fmt::Write as _;
 
@@ -8,13 +8,13 @@ use super::{good, marked};
 use crate::assets::Wanted;
 use crate::scene::Mesh;
 
-/// A globe of n rings and 2n sectors, its vertices repeated for every face as STL does.
+/// Returns a sphere of n rings and 2n sectors, with vertices repeated for every face as in STL.
 fn globe(n: u32) -> String {
     let mut text = String::new();
     let point = |i: u32, j: u32| {
         let turn = |part: u32| DVec2::from_angle(std::f64::consts::PI * f64::from(part) / f64::from(n));
         let (down, round) = (turn(i), turn(j % (2 * n)));
-        // Poles are one place exactly.
+        // The poles have exactly one position.
         match i {
             0 => DVec3::Y,
             _ if i == n => DVec3::NEG_Y,
@@ -45,8 +45,8 @@ fn mesh(text: &str, crease: f64) -> Mesh {
     scene.objects[0].shape.mesh().map(|mesh| (**mesh).clone()).expect("a mesh")
 }
 
-/// The axis of a triangle's circumscribed circle is its normal, and on a unit sphere every corner is at the angle asin r from it, where r
-/// is the circle's radius. A mean of such normals is no farther from the corner than the farthest.
+/// Checks normals on a unit sphere. The axis of a triangle's circumscribed circle of radius r is its normal, and every corner is at the
+/// angle asin r from it. A mean of such normals is at most as far from the corner as the farthest.
 #[test]
 fn a_globe_is_smooth() {
     let text = globe(24);
@@ -62,11 +62,11 @@ fn a_globe_is_smooth() {
         let off = vertex.normal.as_dvec3().angle_between(vertex.position.as_dvec3());
         assert!(off <= bound + 1e-6, "{off} {bound} at {}", vertex.position);
     }
-    // One vertex for each place: 23 rings of 48, and the poles.
+    // One vertex per position: 23 rings of 48, and the poles.
     assert_eq!(smooth.vertices.len(), 23 * 48 + 2);
-    // Facets: four corners for each face, three at the poles.
+    // Flat faces: four corners per face, three at the poles.
     assert_eq!(mesh(&text, 0.0).vertices.len(), 48 * (22 * 4 + 2 * 3));
-    // Faces of a ring are 7.5 degrees apart at the equator.
+    // Adjacent faces of a ring differ by 7.5 degrees at the equator.
     assert!(mesh(&text, 5.0).vertices.len() > smooth.vertices.len());
 }
 
@@ -78,7 +78,7 @@ fn a_cube_is_sharp_until_it_is_told_not_to() {
     assert_eq!(sharp.vertices.len(), 24);
     assert!(sharp.vertices.iter().all(|v| [Vec3::X, Vec3::Y, Vec3::Z].contains(&v.normal.abs())));
     assert_eq!(mesh(text, 89.9).vertices, sharp.vertices);
-    // At every corner three right angles meet.
+    // Three right angles meet at every corner.
     let round = mesh(text, 91.0);
     assert_eq!(round.vertices.len(), 8);
     for vertex in &round.vertices {
@@ -89,7 +89,7 @@ fn a_cube_is_sharp_until_it_is_told_not_to() {
 
 #[test]
 fn edges_that_are_sharp_divide_what_is_smooth() {
-    // A roof of four slopes, each 20 degrees from the next but the middle two, which are 40 apart.
+    // A roof of four slopes, with angles of 20 degrees between neighbors except for the middle two, which differ by 40.
     let mut text = String::new();
     let (mut x, mut y) = (0.0, 0.0);
     for slope in [None, Some(40.0), Some(20.0), Some(-20.0), Some(-40.0_f64)] {
@@ -102,7 +102,7 @@ fn edges_that_are_sharp_divide_what_is_smooth() {
         writeln!(text, "f {} {} {} {}", 2 * i + 1, 2 * i + 2, 2 * i + 4, 2 * i + 3).expect("written");
     }
     let roof = mesh(&text, 30.0);
-    // Five edges, and the ridge's twice.
+    // Five edges, with the ridge counted twice.
     assert_eq!(roof.vertices.len(), 12);
     let slopes = |x: f32| {
         let here = roof.vertices.iter().filter(|v| (v.position.x - x).abs() < 1e-4 && v.position.z == 0.0);
@@ -115,7 +115,7 @@ fn edges_that_are_sharp_divide_what_is_smooth() {
     assert_eq!(slopes(40.0_f32.to_radians().cos()), [30.0]);
 }
 
-/// So many faces at one vertex and one edge take no longer than as many elsewhere.
+/// Checks that many faces at one vertex and one edge take no longer than an equal number elsewhere.
 #[test]
 fn a_fan_at_one_vertex_is_quick() {
     let mut text = "v 0 0 0\nv 0 0 1\n".to_owned();
@@ -135,7 +135,7 @@ fn a_crease_is_an_angle_of_a_mesh() {
     assert!(marked(&format!("{top}{mesh}crease = «181»\n")).problem.contains("an angle from 0 to 180 degrees"));
     let sphere = "[[objects]]\nshape = \"sphere\"\nmaterial = \"m\"\n«crease» = 3\n";
     assert!(marked(&format!("{top}{sphere}")).help.contains("mesh"));
-    // The same file in two ways is two meshes.
+    // One file with two settings is two meshes.
     let scene = good(&format!("{top}{mesh}crease = 0\n{mesh}"));
     let [one, other] = [0, 1].map(|i| scene.objects[i].shape.mesh().expect("a mesh"));
     assert!(!std::sync::Arc::ptr_eq(one, other));

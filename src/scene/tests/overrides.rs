@@ -1,4 +1,4 @@
-//! `--set KEY=VALUE`.
+//! Tests of `--set KEY=VALUE`.
 
 use super::{Override, RAYS, Scene, mistakes_of};
 use crate::model::camera::Pinhole;
@@ -92,7 +92,7 @@ fn without_a_value_a_key_is_left_out() {
     }
 }
 
-/// Whatever a scene says of how its rays are followed, its text has another scene follow them alike.
+/// Checks that the text of a scene's ray settings gives another scene identical settings.
 #[test]
 fn how_rays_are_followed_goes_over_to_another_scene() {
     let ways: [&[&str]; 9] = [

@@ -1,4 +1,4 @@
-//! Colors of pictures: what a file says of its numbers is applied, or told.
+//! Tests of image colors: the color information of a file is applied or reported.
 
 use std::fs;
 use std::io::Write;
@@ -12,10 +12,10 @@ use image::{ImageEncoder, Rgb, Rgb32FImage};
 
 use crate::scene::Picture;
 
-/// ACES2065-1 to linear Rec. 709, adapted by Bradford's matrix: published with the ACES configurations of `OpenColorIO`.
+/// ACES2065-1 to linear Rec. 709 with Bradford adaptation, as published with the ACES configurations of `OpenColorIO`.
 const FROM_ACES: [[f64; 3]; 3] =
     [[2.521_686, -1.134_131, -0.387_555], [-0.276_480, 1.372_719, -0.096_239], [-0.015_378, -0.152_975, 1.168_353]];
-/// Display P3 to linear Rec. 709: published with CSS Color 4.
+/// Display P3 to linear Rec. 709, as published with CSS Color 4.
 const FROM_P3: [[f64; 3]; 3] =
     [[1.224_940, -0.224_940, 0.0], [-0.042_057, 1.042_057, 0.0], [-0.019_638, -0.078_636, 1.098_274]];
 
@@ -41,7 +41,7 @@ fn in_folder(name: &str) -> (tempfile::TempDir, PathBuf) {
     (folder, path)
 }
 
-/// Writes one color, with more lines in its header.
+/// Writes one color, with additional lines in its header.
 fn hdr(path: &Path, color: [f32; 3], first: &str, lines: &str) {
     Rgb32FImage::from_pixel(3, 2, Rgb(color)).save(path).expect("saved");
     let plain = fs::read(path).expect("read");
@@ -59,7 +59,7 @@ fn what_an_hdr_file_was_multiplied_by_is_taken_out_of_it() {
         ("#?RADIANCE", "COLORCORR=1 2 4\n", [0.5, 1.0, 2.0]),
         ("#?RADIANCE", "COLORCORR= 1 2 4\nEXPOSURE=2\r\nCOLORCORR=2 1 0.5\n", [0.125, 0.5, 2.0]),
         ("#?RADIANCE", "EXPOSURE= 4\nEXPOSURE=0.5\n", [0.25, 1.0, 4.0]),
-        // History of a program before.
+        // The history of an earlier program.
         ("#?AUTOPANO11", "\tEXPOSURE=2\nSOFTWARE=a = b\n", [0.5, 2.0, 8.0]),
     ] {
         hdr(&path, stored, first, lines);
@@ -96,10 +96,10 @@ fn rows_that_a_header_leaves_out_are_told() {
     }
 }
 
-/// The primaries of ACES in each format that has chromaticities: the same color becomes the same.
+/// Checks that a color with the ACES primaries is read identically from each format with chromaticities.
 #[test]
 fn primaries_become_those_of_rec_709() {
-    // In quarters and eighths, which four bytes of HDR hold; inside of Rec. 709.
+    // The values are quarters and eighths, which the four bytes of HDR represent exactly, and the color is inside Rec. 709.
     let color = [0.5, 0.625, 0.75];
     let expected = times(FROM_ACES, color);
     let (_folder, path) = in_folder("a.exr");
@@ -118,12 +118,12 @@ fn primaries_become_those_of_rec_709() {
     shows(&load(&path), expected, 1e-4);
     let picture = load(&path);
     assert!(picture.notes.is_empty(), "{:?}", picture.notes);
-    // Green of ACES is outside: its red and blue are below 0.
+    // The green primary of ACES is outside Rec. 709: its red and blue are negative.
     hdr(&path, [0.0, 1.0, 0.0], "#?RADIANCE", line);
     let picture = load(&path);
     shows(&picture, [0.0, FROM_ACES[1][1], 0.0], 1e-4);
     assert!(picture.notes[0].contains("6 of its 6 pixels (100.00 %)"), "{:?}", picture.notes);
-    // Chromaticities of one point span nothing.
+    // Chromaticities in a single point span no gamut.
     let none = Chromaticities { red: aces.white, green: aces.white, blue: aces.white, white: aces.white };
     let (_folder, path) = in_folder("a.exr");
     exr(&path, &[("R", r), ("G", g), ("B", b)], Some(none));
@@ -174,7 +174,7 @@ fn channels_of_an_exr_are_found_by_their_names() {
         let error = Picture::load(&path).expect_err("refused").to_string();
         assert!(parts.iter().all(|part| error.contains(part)), "{error}");
     }
-    // Chroma is mostly stored for every second pixel, which this library cannot write.
+    // Chroma is usually stored for every second pixel, which this library cannot write.
     exr(&path, &[("Y", 1.0), ("RY", 0.0), ("BY", 0.0)], None);
     let mut bytes = fs::read(&path).expect("read");
     for name in [&b"BY\0"[..], b"RY\0"] {
@@ -199,7 +199,7 @@ fn png(path: &Path, color: [u8; 3], chunks: &[(&[u8; 4], Vec<u8>)]) {
     writer.finish().expect("an end");
 }
 
-/// Numbers in units of 1e-5.
+/// Returns numbers in units of 1e-5.
 fn scaled(numbers: &[f64]) -> Vec<u8> {
     numbers.iter().flat_map(|x| ((x * 1e5).round() as u32).to_be_bytes()).collect()
 }
@@ -227,7 +227,7 @@ fn what_a_png_says_of_its_colors_is_applied() {
         (vec![(b"cHRM", scaled(&p3))], times(FROM_P3, srgb), 1e-4),
         (vec![gamma(1.0), (b"cHRM", scaled(&p3))], times(FROM_P3, units), 1e-4),
         (vec![(b"sRGB", vec![0]), gamma(1.0), (b"cHRM", scaled(&p3))], srgb, 1e-6),
-        // Of profiles the numbers are fixed to 16 bits.
+        // The numbers of profiles are fixed-point with 16 bits.
         (vec![(b"iCCP", profile_chunk(&of_p3)), gamma(1.0)], times(FROM_P3, srgb), 2e-3),
         (vec![(b"iCCP", profile_chunk(&of_srgb)), gamma(1.0)], srgb, 1e-3),
         (vec![(b"cICP", vec![12, 8, 0, 1]), (b"sRGB", vec![0])], times(FROM_P3, units), 1e-4),
@@ -260,7 +260,7 @@ fn the_profile_of_a_jpeg_is_applied_or_told() {
         encoder.set_icc_profile(profile).expect("a profile");
         encoder.write_image(&[128; 192], 8, 8, image::ExtendedColorType::Rgb8).expect("written");
     };
-    // Gray, whose color no primaries change, by another curve: 2.2 of Adobe RGB.
+    // Gray, which does not depend on primaries, with another curve: Adobe RGB's 2.2.
     write(moxcms::ColorProfile::new_adobe_rgb().encode().expect("a profile"));
     let picture = load(&path);
     assert!(picture.notes.is_empty(), "{:?}", picture.notes);

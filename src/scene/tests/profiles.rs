@@ -1,4 +1,4 @@
-//! Profiles: the spline, and files right and wrong.
+//! Tests of profiles: the spline, and valid and invalid files.
 
 #![allow(clippy::float_cmp, reason = "numbers of few bits, which the spline keeps whole")]
 
@@ -22,7 +22,8 @@ fn wrong(text: &str) -> Vec<Mistake> {
     }
 }
 
-/// What a natural spline is: through its points, with two continuous derivatives, and no second one at its ends.
+/// Checks the properties of a natural spline: it passes through its points, has two continuous derivatives, and no second derivative at its
+/// ends.
 #[test]
 fn a_profile_is_a_natural_spline() {
     let points = through(&POINTS).points;
@@ -35,7 +36,7 @@ fn a_profile_is_a_natural_spline() {
         let slope = before.slope + t * (2.0 * before.bend + 3.0 * t * before.twist);
         let bend = before.bend + 3.0 * t * before.twist;
         assert!((value - n).abs() < 1e-14, "{k}: {value}");
-        // The last point has no cubic of its own, and there the bend is 0.
+        // The last point starts no cubic, and the second derivative there is 0.
         let next = (k + 1 < POINTS.len()).then_some(points[k].slope);
         assert!(next.is_none_or(|next| (slope - next).abs() < 1e-14), "{k}: {slope} {next:?}");
         assert!((bend - points[k].bend).abs() < 1e-14, "{k}: {bend}");

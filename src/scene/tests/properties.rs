@@ -1,4 +1,4 @@
-//! What must hold for any input: nothing panics, and reaches are what sampling finds.
+//! Properties for arbitrary input: nothing panics, and computed extents agree with sampling.
 
 use super::{Override, Scene};
 use crate::model::Shape;
@@ -10,7 +10,7 @@ use std::path::Path;
 
 const OBJ: &str = "v 0 0 0\nv 1 0 0\nv 1 1 0.1\nv 0 1 0\nvt 0 1\nvn 0 0 1\nf 1/1/1 2 3 -1 \\\n# é\nf 1//1 2//1 3//1\n";
 
-/// `text` with a few of its characters replaced by others.
+/// Returns `text` with a few characters replaced.
 fn damaged(text: &'static str) -> impl Strategy<Value = String> {
     let place = 0..text.chars().count();
     let edits = prop::collection::vec((place, "[-a0.=\\[\\]{}\"#/\\\\\n é]{0,2}"), 1..4);
@@ -71,7 +71,7 @@ proptest! {
         own in vector(0.1..5.0), tilt in vector(-180.0..180.0), scale in vector(0.1..5.0), rotate in vector(-180.0..180.0),
         translate in vector(-3.0..3.0), center in vector(-3.0..3.0),
     ) {
-        // A tilted cylinder that is then scaled unevenly is sheared.
+        // A tilted cylinder with a subsequent non-uniform scale is sheared.
         let own = Transform::new(own, tilt, DVec3::ZERO).0;
         let transform = Transform(Transform::new(scale, rotate, translate).0 * own);
         let sampled = |y: f64| (0..2000).map(|i| {
@@ -87,7 +87,7 @@ proptest! {
         }
     }
 
-    /// Where the center is the object's own but for rounding, λ is not to be told from the square of the longest axis.
+    /// Checks a center that equals the object's up to rounding, where λ is indistinguishable from the square of the longest axis.
     #[test]
     fn reaches_from_the_middle_are_numbers(scale in vector(0.1..5.0), tilt in vector(-180.0..180.0)) {
         let transform = Transform::new(scale, tilt, DVec3::ZERO);

@@ -1,8 +1,8 @@
-//! What 32 bits cannot tell apart is warned of, and nothing else.
+//! Tests of the warning about details that 32 bits cannot resolve.
 
 use super::good;
 
-/// A ball seen from some place, over so many degrees.
+/// Returns the warning for a ball seen from a position with an opening angle in degrees.
 fn ball(position: [f64; 3], center: [f64; 3], radius: f64, fov: f64, precision: &str) -> Option<String> {
     let text = format!(
         "[image]\nsize = [320, 240]\n[camera]\nposition = {position:?}\nlook_at = {center:?}\nfov = {fov}\n\
@@ -12,7 +12,7 @@ fn ball(position: [f64; 3], center: [f64; 3], radius: f64, fov: f64, precision: 
     good(&text).rounded_away()
 }
 
-/// On either side of where pixels begin to differ between 32 and 64 bits: measured with cameras that look along no axis.
+/// Checks both sides of the threshold at which pixels differ between 32 and 64 bits, as measured with cameras not aligned with an axis.
 #[test]
 fn scenes_that_are_too_fine_for_32_bits_are_named() {
     let oblique = |distance: f64| [0.6, 0.48, 0.64].map(|x| x * distance);

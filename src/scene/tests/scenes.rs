@@ -1,4 +1,4 @@
-//! Good scenes: defaults, every kind, the template, and the reference against what is asked for.
+//! Tests of valid scenes: defaults, every kind, the templates, and the reference.
 
 use super::{RAYS, good};
 use crate::assets::Files;
@@ -20,7 +20,7 @@ use glam::{DVec2, DVec3};
 use std::collections::BTreeSet;
 use std::path::Path;
 
-/// Between them these ask for every key.
+/// Scenes that together request every key.
 const KINDS: &[&str] = &[
     "[camera]\nkind = \"orthographic\"\nposition = [1, 2, 3]\nheight = 4\n[law]\nkind = \"lorenz\"\norder = 2\n[rays]\n\
      method = \"rk4-doubling\"\ndoubling = \"paper\"\nbounding_sphere = { radius = 1 }\nsegment = \"chord\"\nmax_parameter = 7\n",
@@ -168,7 +168,7 @@ fn cameras_become_values() {
     assert_eq!(stacked.view_size([8, 6]), [8, 3]);
 }
 
-/// What a pixel in the middle sees, in closed form: a tangent over half the height, and equal parts of the other angles.
+/// Checks the angle of the center pixel against closed forms: a tangent over half the height, and equal fractions of the other angles.
 #[test]
 fn pixels_have_angles() {
     let angle = |text: &str| {

@@ -1,4 +1,4 @@
-//! Shells of meshes: what is inside is a matter of the surface, however the file winds it.
+//! Tests of mesh shells: the inside depends on the surface, not on its winding in the file.
 
 use std::path::Path;
 
@@ -8,7 +8,7 @@ use proptest::prelude::*;
 use super::{mistakes_of, parse};
 use crate::scene::{Mesh, Object, Scene};
 
-/// A box from one corner to another, and whether it is wound inward.
+/// A box between two corners, optionally wound inward.
 #[derive(Debug, Clone, Copy)]
 struct Shell {
     lo: DVec3,
@@ -20,7 +20,7 @@ fn shell(lo: [f64; 3], hi: [f64; 3], inward: bool) -> Shell {
     Shell { lo: lo.into(), hi: hi.into(), inward }
 }
 
-/// A cube about the origin.
+/// Returns a cube around the origin.
 fn cube(half: f64, inward: bool) -> Shell {
     shell([-half; 3], [half; 3], inward)
 }
@@ -30,7 +30,7 @@ impl Shell {
         x.cmpgt(self.lo).all() && x.cmplt(self.hi).all()
     }
 
-    /// Its vertices, and its triangles wound as it is.
+    /// Returns its vertices and its triangles with their winding.
     fn parts(&self) -> (Vec<DVec3>, Vec<[usize; 3]>) {
         let corner =
             |i: usize| DVec3::from_array([0, 1, 2].map(|k| if i >> k & 1 == 1 { self.hi[k] } else { self.lo[k] }));
@@ -41,7 +41,7 @@ impl Shell {
     }
 }
 
-/// An OBJ file of shells, moved by a matrix.
+/// Returns an OBJ file of shells, transformed by a matrix.
 fn obj(shells: &[Shell], map: DMat3) -> String {
     let (mut text, mut before) = (String::new(), 1);
     for shell in shells {
@@ -57,13 +57,14 @@ fn mesh(text: &str) -> Mesh {
     Mesh::parse(text, Path::new("a.obj")).unwrap_or_else(|e| panic!("{e}"))
 }
 
-/// Points that fill the cube |x|, |y|, |z| ≤ 4 evenly, none of them on a surface.
+/// Returns points that fill the cube |x|, |y|, |z| ≤ 4 evenly, none of them on a surface.
 fn points() -> impl Iterator<Item = DVec3> {
     let step = DVec3::new(0.819_172_513_396, 0.671_043_606_703, 0.549_700_477_901);
     (1..600).map(move |i| 8.0 * (f64::from(i) * step).fract() - 4.0)
 }
 
-/// How many meshes are rays given for one, each around no point more than once, and together around those that are expected?
+/// Returns the number of meshes that replace one for rays, after a check that each winds around no point more than once and that together
+/// they contain the expected points.
 fn layers(mesh: &Mesh, map: DMat3, expected: impl Fn(DVec3) -> bool) -> usize {
     assert_eq!(mesh.opening(), None);
     let solids: Vec<&Mesh> = match mesh.solids() {
@@ -79,7 +80,7 @@ fn layers(mesh: &Mesh, map: DMat3, expected: impl Fn(DVec3) -> bool) -> usize {
     solids.len()
 }
 
-/// The same as the file has it, and turned so that no face is parallel to an axis.
+/// Returns the number of layers for the shells as given, and after a rotation that leaves no face parallel to an axis.
 fn layers_of(shells: &[Shell], expected: impl Fn(DVec3) -> bool) -> usize {
     let turn = DMat3::from_rotation_z(0.3) * DMat3::from_rotation_x(0.7);
     let counts = [DMat3::IDENTITY, turn].map(|map| layers(&mesh(&obj(shells, map)), map, &expected));
@@ -98,7 +99,7 @@ fn every_shell_apart_is_turned_outward() {
     }
 }
 
-/// A shell in a shell is a cavity, and one in that a solid: as CGAL's `orient_to_bound_a_volume` has it.
+/// Checks that a shell in a shell is a cavity, and a shell in a cavity a solid, like CGAL's `orient_to_bound_a_volume`.
 #[test]
 fn nested_shells_alternate() {
     for inward in 0..8 {
@@ -115,12 +116,12 @@ fn what_is_wound_right_stays_as_it_is() {
     }
 }
 
-/// Shells that overlap, or touch, are around a point if one of them is; a ray meets them as several objects.
+/// Checks that overlapping or touching shells form a union, which a ray intersects as several objects.
 #[test]
 fn overlapping_shells_are_solids_of_their_own() {
     let crossing =
         [shell([-3.0, -1.0, -1.0], [0.7, 1.0, 1.0], false), shell([-0.5, -0.8, -1.2], [2.0, 1.3, 1.5], false)];
-    // Four faces of each lie in one plane with those of the other.
+    // Four faces of each shell are coplanar with faces of the other.
     let flush = [shell([-1.0, -0.7, -0.7], [0.4, 0.7, 0.7], false), shell([-0.4, -0.7, -0.7], [1.0, 0.7, 0.7], false)];
     let touching =
         [shell([-2.0, -1.0, -1.0], [0.0, 1.0, 1.0], false), shell([0.0, -0.5, -0.5], [2.0, 0.6, 0.6], false)];
@@ -130,13 +131,13 @@ fn overlapping_shells_are_solids_of_their_own() {
             assert_eq!(layers_of(&shells, |x| a.holds(x) || b.holds(x)), 2, "{shells:?}");
         }
     }
-    // In a row only neighbors overlap: two layers do.
+    // In a row only neighbors overlap, so that two layers suffice.
     let row: Vec<Shell> =
         (0..7).map(f64::from).map(|i| shell([i - 4.0, -1.0, -1.0], [i - 2.7, 1.0, 1.1], false)).collect();
     assert_eq!(layers_of(&row, |x| row.iter().any(|shell| shell.holds(x))), 2);
 }
 
-/// A solid that reaches through the wall of a cavity is one more solid if it is wound as the outer shell is, which is around it.
+/// Checks that a solid through the wall of a cavity is an additional solid if its winding equals that of the outer shell around it.
 #[test]
 fn a_solid_in_the_wall_of_a_cavity_is_no_cavity() {
     let [outer, cavity] = [cube(3.5, false), cube(2.0, true)];
@@ -147,12 +148,12 @@ fn a_solid_in_the_wall_of_a_cavity_is_no_cavity() {
     }
 }
 
-/// A face that two boxes share is in neither's way, and copies of faces count once.
+/// Checks that two boxes may share a face, and that duplicate faces count once.
 #[test]
 fn faces_that_cancel_or_repeat_do_not_count() {
     let [a, b] = [shell([-2.0, -1.0, -1.0], [0.0, 1.0, 1.0], false), shell([0.0, -1.0, -1.0], [2.0, 1.0, 1.0], false)];
     let both = |x| a.holds(x) || b.holds(x);
-    // Cut along the same diagonal: the shared face cancels.
+    // Both are cut along one diagonal, so that the shared face cancels.
     let text = obj(&[a, b], DMat3::IDENTITY);
     assert_eq!(layers(&mesh(&text), DMat3::IDENTITY, both), 1);
     let once = obj(&[a], DMat3::IDENTITY);
@@ -171,7 +172,7 @@ fn triangles_that_are_wound_against_their_neighbors_are_turned() {
     assert_eq!(layers(&mesh(&text), DMat3::IDENTITY, |x| own.holds(x)), 1);
 }
 
-/// Normals that the file gives stay if they point outward, and turn with the faces if they do not.
+/// Checks that given normals stay if they point outward, and turn with the faces if they do not.
 #[test]
 fn normals_are_on_the_outside_of_turned_faces() {
     for side in [1, -1] {
@@ -204,7 +205,7 @@ fn a_mesh_without_an_inside_is_refused() {
     let of = |text: &str| mesh(text).opening().map(str::to_owned).unwrap_or_default();
     let open = obj(&[cube(1.0, false)], DMat3::IDENTITY).replace("f 1 3 4\n", "");
     assert_eq!(of(&open), "the mesh is not closed: the edge at [0.0000, 0.0000, -1.0000] has no second triangle");
-    // A Möbius strip of five triangles, doubled at its edge by a fan: the projective plane, which crosses itself.
+    // A Möbius strip of five triangles, closed at its edge by a fan: the projective plane, which intersects itself.
     let strip = "f 1 2 3\nf 2 3 4\nf 3 4 5\nf 4 5 1\nf 5 1 2\n";
     let fan = "f 1 3 6\nf 3 5 6\nf 5 2 6\nf 2 4 6\nf 4 1 6\n";
     let corners = "v 1 0 0\nv 0 1 0.3\nv -1 0 0\nv 0 -1 0.5\nv 0.5 0.5 1\nv 0 0 3\n";
@@ -220,7 +221,7 @@ fn a_mesh_without_an_inside_is_refused() {
     );
 }
 
-/// A scene of one mesh that light goes through, and a sphere behind it.
+/// Returns a scene of one transparent mesh, and a sphere behind it.
 fn scene(folder: &Path, file: &str) -> Scene {
     let text = format!(
         "[rays]\nbounding_sphere = {{ radius = 20 }}\n[[objects]]\nshape = \"mesh\"\nfile = \"{file}\"\ninterior = 1.5\n\
@@ -229,7 +230,7 @@ fn scene(folder: &Path, file: &str) -> Scene {
     Scene::parse(&text, &folder.join("scene.toml"), &[]).unwrap_or_else(|e| panic!("{e}"))
 }
 
-/// Every format: a cube that is wound inward is solid, and users are told.
+/// Checks for every format that a cube with inward winding is solid, and that users are informed.
 #[test]
 fn files_of_every_format_are_turned() {
     let folder = tempfile::tempdir().expect("a folder");
@@ -273,7 +274,7 @@ fn files_of_every_format_are_turned() {
     }
 }
 
-/// The objects that stand for a mesh which overlaps itself come last: numbers of others stay those of the file.
+/// Checks that the additional objects of an overlapping mesh come last, so that the indices of others remain those of the file.
 #[test]
 fn solids_of_one_mesh_come_behind_other_objects() {
     let folder = tempfile::tempdir().expect("a folder");
@@ -301,7 +302,7 @@ fn an_open_interior_is_a_mistake() {
     assert_eq!(mistakes[0].help, "give it a `material`, or use another shape, such as a closed mesh");
 }
 
-/// Boxes that are all apart or nested, by halving a cube again and again.
+/// Returns boxes that are disjoint or nested, by repeated bisection of a cube.
 fn family() -> impl Strategy<Value = Vec<Shell>> {
     let cut = (0..3_usize, 0.3..0.7_f64, any::<bool>(), any::<bool>(), 0..3_u8);
     prop::collection::vec(cut, 1..12).prop_map(|cuts| {

@@ -1,4 +1,4 @@
-//! Words that people try: each message names the right one.
+//! Tests of common synonyms: each message suggests the correct name.
 
 use super::{RAYS, mistakes_of, parse};
 use crate::document::synonyms::SYNONYMS;
@@ -13,7 +13,7 @@ fn every_synonym_leads_to_a_name() {
     }
 }
 
-/// A table with a key or a value of another name, and the name that is meant.
+/// A table with a key or a value of another name, and the correct name.
 const TRIED: &[(&str, &str, &str)] = &[
     ("camera", "kind = \"plane\"", "orthographic"),
     ("camera", "kind = \"ortho\"", "orthographic"),

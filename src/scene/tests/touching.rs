@@ -1,4 +1,4 @@
-//! Which objects touch, and how many of them a ray can be in.
+//! Tests of touching objects, and of the number of objects that can contain a ray.
 
 use super::inside::{cube, object};
 use super::{good, parse};
@@ -44,7 +44,7 @@ fn round_faces_touch_where_they_are_the_same() {
     let egg = "shape = \"sphere\"\nscale = [1, 1.5, 1]\ninterior = 1.5";
     assert!(touch(egg, &format!("{egg}\nrotate = [0, 70, 0]")));
     assert!(!touch(egg, &format!("{egg}\nrotate = [70, 0, 0]")));
-    // A part of the same mantle, and one beside it.
+    // A section of one mantle, and one next to it.
     let rod = "shape = \"cylinder\"\naxis = [1, 2, 3]\nheight = 4\ninterior = 1.5";
     assert!(touch(rod, &rod.replace("height = 4", "height = 3")));
     assert!(!touch(rod, &rod.replace("height = 4", "height = 3\nradius = 0.9")));
@@ -62,7 +62,7 @@ fn what_meets_in_points_or_lines_does_not_touch() {
         assert!(!touch(ball, other), "{other}");
     }
     let cuboid = "shape = \"box\"\nsize = [2, 2, 2]\ninterior = 1.5";
-    // In one plane but apart, one in the other, one through the other, and a hair away.
+    // Objects apart in one plane, inside, across, and at a tiny distance.
     for other in [
         "shape = \"box\"\nmin = [1.5, -1, -1]\nmax = [2, 1, 1]\ninterior = 1.3",
         "shape = \"box\"\nsize = [1, 1, 1]\ninterior = 1.3",
@@ -73,7 +73,7 @@ fn what_meets_in_points_or_lines_does_not_touch() {
     }
 }
 
-/// A mesh of glass may stand on a table; two meshes are not compared.
+/// Checks that a glass mesh may touch a table; two meshes are not compared.
 #[test]
 fn meshes_stand_on_flat_faces() {
     let place = Transform::new(DVec3::splat(0.7), DVec3::new(20.0, 30.0, 40.0), DVec3::new(1.0, 2.0, 3.0));
@@ -89,7 +89,7 @@ fn meshes_stand_on_flat_faces() {
     assert!(lo.abs_diff_eq(cuboid.bounds().0, 1e-6) && hi.abs_diff_eq(cuboid.bounds().1, 1e-6));
 }
 
-/// Each has a bit of 32.
+/// Checks the limit of 32 objects, one bit each.
 #[test]
 fn closed_mirrors_count_among_what_a_ray_can_be_in() {
     let text = |mirrors: usize| {

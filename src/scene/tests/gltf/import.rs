@@ -1,4 +1,4 @@
-//! Scenes from glTF files: what is taken over, what is left out, and that all of it is a scene.
+//! Tests of the glTF import: converted and skipped features, and the validity of the resulting scene.
 
 mod colors;
 
@@ -13,7 +13,7 @@ use crate::scene::import::{Imported, import};
 use crate::scene::{Density, LightSource, Pattern, Scene, Shadows, Substance};
 use glam::DVec3;
 
-/// A file in a folder of its own, and what becomes of it.
+/// A file in a separate folder, and the result of its import.
 struct Case {
     folder: tempfile::TempDir,
     imported: Imported,
@@ -29,7 +29,7 @@ impl Case {
         Self { folder, imported }
     }
 
-    /// The scene, once its pictures are written.
+    /// Returns the scene after its images are written.
     fn scene(&self) -> Scene {
         for (name, bytes) in &self.imported.pictures {
             std::fs::write(self.folder.path().join(name), bytes).expect("written");
@@ -40,7 +40,7 @@ impl Case {
     }
 }
 
-/// Numbers of a square, and one node for each of these materials.
+/// Returns the data of a square, and one node for each of these materials.
 fn squares(materials: &[Value]) -> (Made, Value) {
     let mut made = Made::default();
     let positions = made.floats(&SQUARE);
@@ -91,11 +91,11 @@ fn materials_are_as_near_as_ours_come() {
     };
     assert_eq!(of(0).surface.downcast::<Phong>().expect("phong").specular, DVec3::ZERO);
     assert_eq!(of(0).color, Pattern::Constant(base));
-    // 2/r⁴ − 2 at r = 1/2 is 30, and 0.04 (30 + 8)/8 is 0.19.
+    // The exponent 2/r⁴ − 2 at r = 1/2 is 30, and 0.04 (30 + 8)/8 is 0.19.
     let phong = of(1).surface.downcast::<Phong>().expect("phong");
     assert!((phong.shininess - 30.0).abs() < 1e-4 && (phong.specular.x - 0.19).abs() < 1e-6, "{phong:?}");
     assert!(of(2).surface.downcast::<Mirror>().is_some() && of(2).color == Pattern::Constant(base));
-    // A quarter of 2/r⁴ − 2 at r = 1/10.
+    // The exponent is a quarter of 2/r⁴ − 2 at r = 1/10.
     assert!((of(3).surface.downcast::<Glossy>().expect("glossy").exponent - 4999.5).abs() < 1e-2);
     assert_eq!(of(4).surface.downcast::<Phong>().expect("phong").specular, 0.5 * base);
     assert!(
@@ -114,7 +114,7 @@ fn pictures_within_get_files_of_their_own() {
     let spotted = json!({ "pbrMetallicRoughness": { "baseColorTexture": { "index": 1 }, "metallicRoughnessTexture": { "index": 0 } } });
     let (mut made, mut rest) = squares(&[texture, spotted]);
     let mut png = std::io::Cursor::new(Vec::new());
-    // Green is roughness, 51/255, and blue is metal: none.
+    // The green channel is roughness, 51/255, and the blue channel is metalness, 0.
     RgbImage::from_pixel(2, 2, image::Rgb([255, 51, 0])).write_to(&mut png, ImageFormat::Png).expect("a PNG");
     let view = made.view(png.into_inner());
     let other = made.view(*b"RIFF....WEBP");
@@ -125,7 +125,7 @@ fn pictures_within_get_files_of_their_own() {
     assert_eq!(case.imported.pictures[0].0, "scene-my_tiles_1.png");
     let scene = case.scene();
     assert!(matches!(scene.materials[0].color, Pattern::Picture { .. }));
-    // Nobody takes magenta for what was meant.
+    // Magenta is clearly wrong.
     assert_eq!(scene.materials[1].color, Pattern::Constant(DVec3::new(1.0, 0.0, 1.0)));
     let told = case.imported.left_out.join("\n");
     for said in [
@@ -136,12 +136,12 @@ fn pictures_within_get_files_of_their_own() {
     ] {
         assert!(told.contains(said), "{told}");
     }
-    // 0.2 rough and no metal.
+    // A roughness of 0.2 without metalness.
     let phong = scene.materials[1].surface.downcast::<Phong>().expect("phong");
     assert!(phong.shininess > 1000.0, "{phong:?}");
 }
 
-/// A texture may have no image but an extension's, or none at all.
+/// Checks textures with an extension's image or with none.
 #[test]
 fn textures_without_an_image_of_their_own_are_told() {
     let of = |index: usize| json!({ "pbrMetallicRoughness": { "baseColorTexture": { "index": index }, "metallicFactor": 0 } });
@@ -175,11 +175,11 @@ fn cameras_and_lights_are_where_their_nodes_are() {
     let half = std::f64::consts::FRAC_1_SQRT_2;
     let light = |index: usize| json!({ "KHR_lights_punctual": { "light": index } });
     for node in [
-        // Turned by a right angle about y: it looks along −x.
+        // Rotated by a right angle around y, the camera looks along −x.
         json!({ "camera": 0, "translation": [9, 1, 2], "rotation": [0, half, 0, half] }),
         json!({ "camera": 1, "translation": [0, 0, 9] }),
         json!({ "extensions": light(0), "translation": [1, 2, 3] }),
-        // Turned by a right angle about x: it shines upwards.
+        // Rotated by a right angle around x, the light shines upwards.
         json!({ "extensions": light(1), "rotation": [half, 0, 0, half] }),
         json!({ "extensions": light(2), "translation": [3, 2, 1] }),
     ] {
@@ -210,7 +210,7 @@ fn cameras_and_lights_are_where_their_nodes_are() {
     for said in ["cameras but the first", "the cones of spot lights, which shine all round (of `node 5`)"] {
         assert!(told.contains(said), "{told}");
     }
-    // The other camera is there to be taken.
+    // The other camera can be selected.
     let other = case.imported.text.replace("[camera]\nfov", "[none]\nfov").replace("# [camera]", "[camera]");
     let lines = other.lines().skip_while(|line| *line != "[camera]").take(6).map(|line| line.trim_start_matches("# "));
     let text = format!("{}\n[rays]\nbounding_sphere = {{ radius = 20 }}\n", lines.collect::<Vec<_>>().join("\n"));
@@ -242,7 +242,7 @@ fn closed_glass_is_filled_and_open_glass_is_told() {
     assert!(told.contains("not taken over: points and lines (of `node 0`)") && told.contains("not closed"), "{told}");
 }
 
-/// Beer and Lambert's law: white light becomes the volume's color on its distance.
+/// Checks the Beer–Lambert law: white light acquires the volume's color over its distance.
 #[test]
 fn volumes_absorb_light() {
     let glass = |volume: &Value| {
@@ -280,7 +280,7 @@ fn volumes_absorb_light() {
         let Density::Even(density) = filter.density else { panic!("{filter:?}") };
         Some((-distance * density).exp())
     };
-    // Numbers of 32 bits in the scene.
+    // The scene has numbers of 32 bits.
     assert!(left(0, 4.0).expect("a filter").abs_diff_eq(color.into(), 1e-6));
     assert!(left(0, 8.0).expect("a filter").abs_diff_eq(DVec3::new(0.25, 1.0 / 64.0, 1.0), 1e-6));
     assert!(left(4, 1.0).expect("a filter").abs_diff_eq(DVec3::new(0.0, 1.0 / 16.0, 0.25), 1e-6));

@@ -1,4 +1,4 @@
-//! What is wrong with a glTF file is named, whatever it is.
+//! Tests of error messages for invalid glTF files.
 
 use proptest::prelude::*;
 use serde_json::{Value, json};
@@ -79,7 +79,7 @@ fn what_is_wrong_is_named_as_the_file_names_it() {
     assert!(told.contains("it requires the extension `KHR_draco_mesh_compression`, which is not read"), "{told}");
     assert!(with("extensionsRequired", json!(["EXT_meshopt_compression"])).contains("`EXT_meshopt_compression`"));
 
-    // A text has lines, and a file of bytes has places.
+    // A location is a line in a text file and an offset in a binary file.
     let told = load("a.gltf", b"{\n  \"asset\": { \"version\": 2 }\n}").expect_err("an error").to_string();
     assert!(told.contains("a.gltf:2:25: not glTF: invalid type: integer `2`, expected a string"), "{told}");
     let file = glb(&whole.to_string(), &made.bytes);
@@ -89,7 +89,7 @@ fn what_is_wrong_is_named_as_the_file_names_it() {
     forged[12..16].copy_from_slice(&(many as u32).to_le_bytes());
     let told = load("a.glb", &forged).expect_err("an error").to_string();
     assert!(told.contains("at byte 12: a part is said to have 4000000000 bytes, and "), "{told}");
-    // Padding may follow, and nothing else.
+    // Only padding may follow.
     assert!(load("a.glb", &[&file[..], b"\0\n"].concat()).is_ok());
     let told = load("a.glb", &[&file[..], b"more"].concat()).expect_err("an error").to_string();
     assert!(told.contains(&format!("is said to have {} bytes, and has {}", file.len(), file.len() + 4)), "{told}");
@@ -100,7 +100,7 @@ fn what_is_wrong_is_named_as_the_file_names_it() {
 }
 
 proptest! {
-    /// Whatever bytes are changed, and wherever the file is cut.
+    /// Checks that the reader survives arbitrary changes of bytes and truncation.
     #[test]
     fn damaged_files_do_not_panic(edits in prop::collection::vec((0.0..1.0, any::<u8>()), 0..4), kept in 0.0..1.5_f64) {
         let (made, rest) = square();

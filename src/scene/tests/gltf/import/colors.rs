@@ -1,4 +1,4 @@
-//! Vertex colors of a glTF file multiply the base color, by its specification.
+//! Tests of vertex colors in glTF files, which multiply the base color according to the specification.
 
 use glam::DVec3;
 use serde_json::{Value, json};
@@ -8,7 +8,7 @@ use super::{Case, pbr};
 use crate::model::material::Phong;
 use crate::scene::{Material, Pattern, Scene, Substance};
 
-/// A square for each material number and number of colors.
+/// Returns a square for each material index and number of colors.
 fn squares(materials: &[Value], shown: &[(usize, usize)]) -> Case {
     let mut made = Made::default();
     let positions = made.floats(&SQUARE);
@@ -46,7 +46,7 @@ fn vertex_colors_multiply_the_base_color() {
     let case = squares(&[pbr(0.0, 1.0), pbr(1.0, 0.0), unlit], &[(0, 1), (0, 0), (0, 1), (1, 1), (2, 1)]);
     let scene = case.scene();
     let base = Pattern::Constant(DVec3::new(0.5, 0.25, 0.125));
-    // One material, with vertex colors and without.
+    // One material is used with vertex colors and without.
     assert_eq!(of(&scene, 0).color, times_vertex_colors(base.clone()));
     assert_eq!(of(&scene, 1).color, base);
     assert_eq!(scene.objects[0].substance, scene.objects[2].substance);
@@ -56,7 +56,7 @@ fn vertex_colors_multiply_the_base_color() {
     assert!(!case.imported.left_out.join("\n").contains("vertex"), "{:?}", case.imported.left_out);
 }
 
-/// The highlight of a rough metal has one color, and so not that of its vertices.
+/// Checks that the highlight of a rough metal has one color, which is not a vertex color.
 #[test]
 fn highlights_of_rough_metals_are_gray_where_colors_vary() {
     let scene = squares(&[pbr(1.0, 0.5)], &[(0, 1)]).scene();
