@@ -1,11 +1,11 @@
-//! `method = "auto"`: the cheapest method that is right, found on a few thousand rays before the picture starts.
+//! The search of `method = "auto"` for the cheapest accurate method, on a few thousand rays before the render starts.
 //!
-//! *Theory.* What a method errs by is measured. What it costs is counted, not timed ([`cost`](super::cost)): the evaluations of the
-//! law's derivative that its steps take, with what a step costs besides. A busy machine comes to the same choice as an idle one.
+//! *Theory.* The error of a method is measured. Its cost is counted instead of timed ([`cost`](super::cost)): the derivative evaluations of
+//! its steps, and the overhead of each step. A busy machine therefore makes the same choice as an idle one.
 //!
-//! *Practice.* A search among methods compiles a program for each, and one in 64 bits for the truth: seconds on a CPU. Most pictures
-//! take less. [`Preparation`] therefore compiles the picture's own program by the method that is the cheapest for most laws, and finds
-//! a setting that is right on the picture's own rays; only a picture that takes long is worth comparing methods.
+//! *Practice.* A search among methods compiles a program for each, and one in 64 bits for the reference solution, which takes seconds on a
+//! CPU. Most images take less. [`Preparation`] therefore compiles the image's program with the method that is the cheapest for most laws,
+//! and finds an accurate setting on the image's rays. It compares methods only for expensive images.
 
 use std::fmt;
 
@@ -20,45 +20,45 @@ use crate::program::Layer;
 use crate::render::{RenderError, RenderSettings, Renderer};
 use crate::scene::{Method, Precision, Scene};
 
-/// A picture is worth a search if it costs more than this: half a minute or more on two CPU cores, where a search takes three seconds.
+/// The cost above which a search is worthwhile: half a minute or more on two CPU cores, where a search takes three seconds.
 const WORTH_A_SEARCH: f64 = 4e10;
 
-/// The stage that is reported meanwhile.
+/// The name of the stage in progress reports.
 pub(super) const SEARCH: &str = "searching for a method";
-/// What the true ends of the rays take, in methods that are tried.
+/// The cost of the reference solution, in units of one tried method.
 const TRUTH: f64 = 2.0;
 
-/// What a calibration found.
+/// The result of a calibration.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Calibration {
-    /// The error asked for, in radians.
+    /// The required error, in radians.
     pub accuracy: f64,
-    /// The cheapest that is right; or, if none is, the most accurate.
+    /// The cheapest accurate trial or, if none is accurate, the most accurate one.
     pub chosen: Trial,
-    /// Segments that a path may have, more than the scene says: that is meant for any method.
+    /// The largest number of segments of a path; more than in the scene, whose value suits any method.
     pub max_segments: u32,
-    /// Do closed forms stand for the method where there are some? As its name alone has it, where there are none.
+    /// Is `true` if closed forms replace the method where they exist; the method's default if there are none.
     pub closed_forms: bool,
-    /// Bits of the numbers.
+    /// The precision.
     pub precision: Precision,
-    /// What 64 bits would reach, where the best method does not reach what is asked for in 32 and the device has them.
+    /// The trial in 64 bits, if the best method misses the required error in 32 and the device supports 64.
     pub in_double: Option<Trial>,
-    /// The rays that it was tried on.
+    /// The states of the rays on which methods were tried.
     pub rays: Settled,
-    /// Was it compared with other methods? If not, because the picture takes less time than that would.
+    /// Is `true` if other methods were compared; otherwise the image takes less time than a comparison.
     pub compared: bool,
-    /// What the picture has to keep to run what is compiled already.
+    /// The layers that the image must store so that the compiled program can be used.
     pub layers: Vec<Layer>,
 }
 
 impl Calibration {
-    /// Was what was asked for reached?
+    /// Returns `true` if the required error was reached.
     #[must_use]
     pub fn reached(&self) -> bool {
         self.chosen.error <= self.accuracy && !self.rays.is_lacking()
     }
 
-    /// What users should know before they trust the picture: that nothing reaches what they ask for, and what would.
+    /// Returns a warning if no setting reaches the required error, with a remedy.
     #[must_use]
     pub fn warning(&self) -> Option<String> {
         let best = self.chosen.error;
@@ -88,7 +88,7 @@ impl Calibration {
         Some(format!("{subject} 99 of 100 rays within {asked:.1e} rad; the best comes to {best:.1e}{more}"))
     }
 
-    /// The scene with the method that was chosen.
+    /// Returns the scene with the chosen method.
     #[must_use]
     pub fn applied(&self, scene: &Scene) -> Scene {
         let mut scene = scene.followed_by(self.chosen.method, self.chosen.control, self.closed_forms);
@@ -98,12 +98,12 @@ impl Calibration {
     }
 }
 
-/// Methods are tried with closed forms in their place; where there are none, the name says as much.
+/// Returns `true` if the trials used closed forms; without closed forms, the method's default.
 fn closed_forms(scene: &Scene, method: Method) -> bool {
     scene.has_closed_forms() || method.kind.closed_forms
 }
 
-/// The rest of a search for the method of a picture: what it needs is compiled.
+/// The remaining work of a search for an image's method, with its compiled program.
 pub struct Preparation<'a, 's> {
     gpu: &'a Gpu,
     scene: &'s Scene,
@@ -113,7 +113,7 @@ pub struct Preparation<'a, 's> {
 }
 
 impl<'a, 's> Preparation<'a, 's> {
-    /// Compiles the program of a picture of `scene` by its usual method; none where the scene names one.
+    /// Compiles the program of an image of `scene` with its usual method; returns `None` if the scene specifies a method.
     pub fn new(gpu: &'a Gpu, scene: &'s Scene, settings: &'s RenderSettings) -> Result<Option<Self>, RenderError> {
         let Some(accuracy) = scene.accuracy() else { return Ok(None) };
         let wants_double = scene.rays.auto.is_some_and(|auto| auto.precision);
@@ -125,8 +125,8 @@ impl<'a, 's> Preparation<'a, 's> {
         Ok(Some(Self { gpu, scene, settings, accuracy, trying }))
     }
 
-    /// Finds the method for a picture with so many rays: a setting of the one that is compiled or, where the picture is worth it or
-    /// nothing is, the best of all. What comes back besides is a renderer of the same program, for a scene with this method.
+    /// Finds the method for an image with this number of rays: a setting of the compiled method or, if the image is expensive or no setting
+    /// is accurate, the best of all. Also returns a renderer of the compiled program for a scene with this method.
     pub fn choose(self, rays: u64) -> Result<(Option<Calibration>, Option<Renderer<'a>>), RenderError> {
         let Self { gpu, scene, settings, accuracy, trying } = self;
         let stage = gpu.progress.stage(SEARCH);
@@ -151,7 +151,7 @@ impl<'a, 's> Preparation<'a, 's> {
     }
 }
 
-/// What was found by comparing a method with itself.
+/// Returns the calibration of a method that was compared only with finer settings.
 fn trusted(scene: &Scene, settings: &RenderSettings, accuracy: f64, trying: &Trying, found: Found) -> Calibration {
     let Found { control, error, cost, rays } = found;
     let method = trying.method();
@@ -163,7 +163,7 @@ fn trusted(scene: &Scene, settings: &RenderSettings, accuracy: f64, trying: &Try
     }
 }
 
-/// Finds the method for a picture of `scene` with so many rays, as [`Preparation`] does.
+/// Finds the method for an image of `scene` with this number of rays, as [`Preparation`] does.
 pub fn calibrate_for(
     gpu: &Gpu,
     scene: &Scene,
@@ -176,7 +176,7 @@ pub fn calibrate_for(
     }
 }
 
-/// Finds the method for `scene` among all, for the camera's rays or for `given` ones.
+/// Finds the method for `scene` among all methods, for the camera's rays or for `given` ones.
 pub fn calibrate(
     gpu: &Gpu,
     scene: &Scene,
@@ -187,7 +187,7 @@ pub fn calibrate(
     let methods = fast_methods(scene);
     let stage = gpu.progress.measured(SEARCH, TRUTH + methods.len() as f64);
     let rays = match Trials::new(gpu, scene, settings, given, accuracy) {
-        // Without 64 bits there is no truth to try methods on.
+        // Without 64 bits there is no reference solution.
         Err(RenderError::Gpu(GpuError::NoDouble { .. })) => {
             return Ok(Some(chosen_for(scene, settings, accuracy, unjudged())));
         }
@@ -196,7 +196,7 @@ pub fn calibrate(
     stage.advance(TRUTH);
     let right = |trial: &&Trial| trial.error <= MARGIN * accuracy;
     let mut trials: Vec<Trial> = Vec::new();
-    // Where no end is known there is nothing to try methods on.
+    // Without known ends there is nothing to compare methods with.
     let candidates = if rays.truth.is_known() { methods } else { Vec::new() };
     for candidate in candidates {
         let most = trials.iter().filter(right).map(|trial| LOST * trial.cost).fold(TOO_MANY, f64::min);
@@ -221,7 +221,7 @@ pub fn calibrate(
     Ok(Some(found))
 }
 
-/// A method that was chosen, compared with no other.
+/// Returns the calibration of a method that was not compared with others.
 pub(super) fn chosen_for(scene: &Scene, settings: &RenderSettings, accuracy: f64, chosen: Trial) -> Calibration {
     Calibration {
         accuracy,
@@ -236,7 +236,7 @@ pub(super) fn chosen_for(scene: &Scene, settings: &RenderSettings, accuracy: f64
     }
 }
 
-/// What is taken where no method can be judged.
+/// Returns the default if no method can be judged.
 pub(super) fn unjudged() -> Trial {
     Trial { method: TOLERANT, control: embedded::with(1e-5, 0.3), error: f64::INFINITY, cost: f64::INFINITY }
 }

@@ -1,50 +1,49 @@
-//! Paths as curves: the segments' ends joined by cubic arcs.
+//! Paths as curves: cubic arcs between the ends of segments.
 //!
-//! *Theory.* Between two ends with positions x and velocities v lies the cubic Hermite arc with the derivatives v Δτ: of the third
-//! order, as the segments themselves are. At a surface the velocity jumps, and what is recorded may be the one behind it.
+//! *Theory.* Two ends with positions x and velocities v define the cubic Hermite arc with the derivatives v Δτ, which is of third order
+//! like the segments. At a surface the velocity jumps, and the recorded velocity may be the one behind it.
 //!
-//! *Practice.* An arc is therefore straight where the velocity at its start leads to its end, and a parabola by that velocity
-//! where the one at its end does not fit. Eight numbers a segment more than its ends need.
+//! *Practice.* An arc is therefore straight if the velocity at its start leads to its end, and a parabola with that velocity if the
+//! velocity at its end does not fit. An arc stores eight numbers per segment in addition to its ends.
 
 use glam::DVec3;
 
 use crate::render::PathPoint;
 
-/// A segment counts as straight if its start's velocity leads this near to its end, in parts of its length.
+/// The distance from the end, relative to the segment's length, within which the initial velocity makes a segment straight.
 const STRAIGHT: f64 = 1e-3;
-/// The velocity at an end belongs to the arc if it differs from a parabola's by less than this, in parts of the chord. For a
-/// circular arc of angle φ the difference is φ²/6.
+/// The largest difference of the final velocity from a parabola's, relative to the chord, for which it belongs to the arc. For a circular
+/// arc of angle φ the difference is φ²/6.
 const FITS: f64 = 0.1;
-/// Points that stand for an arc where distances are measured.
+/// The number of points per arc for distance measurements.
 const SAMPLES: usize = 16;
 
-/// A path as cubic Bézier arcs, each by its four points in scene coordinates; where it is broken, an arc does not begin at the
-/// last one's end.
+/// A path as cubic Bézier arcs, each with four points in scene coordinates. At a break, an arc does not begin at the end of the last one.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Curve(pub Vec<[DVec3; 4]>);
 
 impl Curve {
-    /// The curve through a path's points.
+    /// Returns the curve through the points of a path.
     #[must_use]
     pub fn of(path: &[PathPoint]) -> Self {
         let arcs = path.windows(2).map(|ends| arc(&ends[0], &ends[1]));
         Self(arcs.filter(|arc| arc.iter().all(|p| p.is_finite()) && arc[0] != arc[3]).collect())
     }
 
-    /// Straight lines from point to point.
+    /// Returns straight lines between points.
     #[must_use]
     pub fn through(points: &[DVec3]) -> Self {
         let lines = points.windows(2).map(|ends| line(ends[0], ends[1]));
         Self(lines.filter(|arc| arc.iter().all(|p| p.is_finite())).collect())
     }
 
-    /// Its last point.
+    /// Returns the last point.
     #[must_use]
     pub fn end(&self) -> Option<DVec3> {
         self.0.last().map(|arc| arc[3])
     }
 
-    /// Points along it, so close that lines between them stand for it.
+    /// Returns points along the curve, dense enough that lines between them represent it.
     #[must_use]
     pub fn flattened(&self) -> Vec<DVec3> {
         let first = self.0.first().map(|arc| arc[0]);
@@ -56,7 +55,7 @@ impl Curve {
     }
 }
 
-/// The arc between two ends.
+/// Returns the arc between two ends.
 fn arc(start: &PathPoint, end: &PathPoint) -> [DVec3; 4] {
     let [a, b] = [start.x, end.x].map(DVec3::from);
     let [from, to] = [start.v, end.v].map(|v| DVec3::from(v) * (end.tau - start.tau));
@@ -65,7 +64,7 @@ fn arc(start: &PathPoint, end: &PathPoint) -> [DVec3; 4] {
     if !(off > STRAIGHT * chord.length() && off < chord.length()) {
         return line(a, b);
     }
-    // The parabola that leaves with `from` and ends at b arrives with this.
+    // The final velocity of the parabola that leaves with `from` and ends at b.
     let arriving = 2.0 * chord - from;
     let to = if (to - arriving).length() < FITS * chord.length() { to } else { arriving };
     [a, a + from / 3.0, b - to / 3.0, b]
@@ -81,7 +80,7 @@ fn is_line(&[a, b, c, d]: &[DVec3; 4]) -> bool {
     off[0].max(off[1]) <= 1e-9 * (d - a).length()
 }
 
-/// The point at t in [0, 1] of a Bézier arc (de Casteljau).
+/// Returns the point at t in [0, 1] of a Bézier arc (de Casteljau).
 fn point(arc: &[DVec3; 4], t: f64) -> DVec3 {
     let [a, b, c] = [0, 1, 2].map(|i| arc[i].lerp(arc[i + 1], t));
     a.lerp(b, t).lerp(b.lerp(c, t), t)
@@ -97,7 +96,7 @@ mod tests {
 
     #[test]
     fn few_segments_of_a_circle_are_round() {
-        // A quarter of a turn in three segments, at three units a unit of τ: off by (h⁴/384)·r of the Hermite form.
+        // A quarter of a turn in three segments, at three units per unit of τ: the Hermite form has an error of (h⁴/384)·r.
         let angle = |i: u32| std::f64::consts::FRAC_PI_6 * f64::from(i);
         let point = |i| {
             let (sin, cos) = angle(i).sin_cos();
@@ -114,7 +113,7 @@ mod tests {
 
     #[test]
     fn refraction_at_an_end_does_not_bend_what_comes_before() {
-        // Straight to a surface, where what is recorded is the velocity behind it.
+        // A straight line to a surface, where the recorded velocity is the one behind it.
         let path = [
             at([0.0; 3], [1.0, 0.0, 0.0], 0.0),
             at([2.0, 0.0, 0.0], [0.8, 0.6, 0.0], 2.0),
@@ -122,7 +121,7 @@ mod tests {
         ];
         let flat = Curve::of(&path).flattened();
         assert_eq!(flat.len(), 3, "{flat:?}");
-        // Along a parabola to a surface: it keeps its shape.
+        // A parabola to a surface keeps its shape.
         let path = [at([0.0; 3], [1.0, 0.0, 0.0], 0.0), at([1.0, 0.5, 0.0], [-1.0, 1.0, 0.0], 1.0)];
         for p in Curve::of(&path).flattened() {
             assert!((p.y - 0.5 * p.x * p.x).abs() < 1e-15, "{p}");
@@ -136,7 +135,7 @@ mod tests {
         assert!(Curve::of(&lost).0.is_empty());
         let unmoved = [at([0.0; 3], [1.0, 0.0, 0.0], 0.0), at([0.0; 3], [1.0, 0.0, 0.0], 1.0)];
         assert!(Curve::of(&unmoved).0.is_empty());
-        // A velocity that has nothing to do with the path: a line.
+        // A velocity unrelated to the path results in a line.
         let flow = [at([0.0; 3], [0.0, 90.0, 0.0], 0.0), at([1.0, 0.0, 0.0], [0.0; 3], 1.0)];
         assert_eq!(Curve::of(&flow).flattened().len(), 2);
     }

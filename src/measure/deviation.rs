@@ -1,4 +1,4 @@
-//! What differs from the truth.
+//! Differences of a run from the reference solution.
 
 use std::fmt;
 
@@ -6,24 +6,24 @@ use crate::render::{Status, Traced};
 
 use super::{Known, Truth};
 
-/// Median, 99th percentile and maximum.
+/// Quantiles of errors.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Quantiles {
-    /// Half of the rays err by no more.
+    /// The bound for half of the rays.
     pub median: f64,
-    /// 95 of 100 do.
+    /// The bound for 95 of 100 rays.
     pub p95: f64,
-    /// 99 of 100 do.
+    /// The bound for 99 of 100 rays.
     pub p99: f64,
-    /// 99 of 100 of all rays do, of which these are a random choice: by two standard deviations of how many of the choice lie
-    /// beyond, because errors have long tails.
+    /// The bound for 99 of 100 of all rays, of which these are a random sample: two standard deviations above the 99th percentile in the
+    /// count of the sample, because errors have long tails.
     pub sure99: f64,
-    /// All do.
+    /// The maximum.
     pub max: f64,
 }
 
 impl fmt::Display for Quantiles {
-    /// Median, 99 % and maximum in columns; of nothing that there are none.
+    /// Writes median, 99th percentile and maximum in columns, or that there are no values.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         if self.max.is_nan() {
             return write!(f, "{:>12}{:>12}{:>12}", "none", "none", "none");
@@ -33,11 +33,11 @@ impl fmt::Display for Quantiles {
 }
 
 impl Quantiles {
-    /// Of values in any order; no numbers if there are none.
+    /// Computes the quantiles of values in any order; NaN if there are none.
     #[must_use]
     pub fn of(mut values: Vec<f64>) -> Self {
         values.sort_by(f64::total_cmp);
-        // The least value that so many of the rays do not exceed.
+        // The least value that this fraction of the rays does not exceed.
         let at = |q: f64| {
             let rank = (q * values.len() as f64).ceil() as usize;
             values.get(rank.max(1) - 1).copied().unwrap_or(f64::NAN)
@@ -48,37 +48,38 @@ impl Quantiles {
     }
 }
 
-/// Errors of a run, over the rays whose truth is known.
+/// The errors of a run, over the rays with a known reference solution.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Deviations {
-    /// Rays that were compared: whose right end is certain.
+    /// The number of rays compared, whose correct termination is certain.
     pub rays: usize,
-    /// Rays of which not all of the end is known.
+    /// The number of rays whose end is not fully known.
     pub unresolved: usize,
-    /// Rays that ended otherwise, or on another object.
+    /// The number of rays with a different termination status or object.
     pub wrong: usize,
-    /// Of these, rays that said so themselves: exhausted, stalled or failed.
+    /// The number of these rays that reported a failure: exhausted, stalled or failed.
     pub flagged: usize,
-    /// Of the direction at the end, radians.
+    /// The errors of the final direction, in radians.
     pub angle: Quantiles,
-    /// Of the place at the end, scene units.
+    /// The errors of the final position, in scene units.
     pub position: Quantiles,
-    /// Of τ at the end: how deep along its path the ray stopped.
+    /// The errors of the final τ.
     pub depth: Quantiles,
-    /// Of what is seen: the direction to the sky, or a surface's place over the way to it; a wrong end is beyond all bounds.
+    /// The errors of the visible result: the direction to the sky, or a surface position divided by the distance to it; infinite for a
+    /// wrong end.
     pub seen: Quantiles,
 }
 
 impl Deviations {
-    /// Of `rays` from the truth. What was captured is black wherever it crossed the horizon: only its fate is compared. Where
-    /// the picture has no rays there is nothing to compare.
+    /// Compares `rays` with the reference solution. For captured rays only the status is compared, because they are black wherever they
+    /// cross the horizon. Pixels without rays are ignored.
     #[must_use]
     pub fn new(rays: &[Traced], truth: &Truth) -> Self {
         let there = |(_, truth): &(&Traced, &Traced)| truth.status != Status::Outside;
         let of = |known: fn(&Known) -> Option<&Traced>| -> Vec<(&Traced, &Traced)> {
             rays.iter().zip(&truth.0).filter_map(|(ray, truth)| Some((ray, known(truth)?))).filter(there).collect()
         };
-        // A wrong end counts wherever the right one is certain, an error of direction or place only where those are known too.
+        // A wrong end counts if the correct one is certain; errors of direction and position only if these are also known.
         let (known, whole) = (of(Known::end), of(Known::whole));
         let right = |(ray, truth): &(&Traced, &Traced)| (ray.status, ray.object) == (truth.status, truth.object);
         let lost =
@@ -157,11 +158,11 @@ mod tests {
         ];
         let found = Deviations::new(&rays, &truth);
         assert_eq!((found.rays, found.unresolved, found.wrong, found.flagged), (4, 1, 2, 1));
-        // Half of 1e-9, as v is 2 long: small angles keep their digits.
+        // Half of 1e-9, as v has length 2: small angles keep their digits.
         assert!((found.angle.max - 5e-10).abs() < 1e-20, "{:e}", found.angle.max);
         assert_eq!(found.seen.max, f64::INFINITY);
     }
-    /// Of rays whose direction is lost a wrong end counts, and nothing else does.
+    /// Checks that for rays with an unknown direction only a wrong end counts.
     #[test]
     fn a_certain_end_counts() {
         let escaped = ray(Status::Escaped, [0.0, 0.0, 1.0]);

@@ -1,8 +1,9 @@
-//! What a law keeps along a ray: a check of accuracy that needs no truth.
+//! The drift of a law's constants of motion, a test of accuracy that needs no reference solution.
 //!
-//! *Theory.* Force centers keep the energy ½|v|² + V, and a single one also the angular momentum x × v; a Schwarzschild hole keeps
-//! h = |x × v| and E² = ṙ² + (1 − 2M/r) h²/r², which together are the null condition; a medium keeps |v| = n (noise
-//! is known where it is 1, outside an explosion). Flows keep nothing. By how much the end of a ray departs from its start is the drift, relative to what the quantity is made of.
+//! *Theory.* Force centers conserve the energy ½|v|² + V, and a single one also the angular momentum x × v. A Schwarzschild black hole
+//! conserves h = |x × v| and E² = ṙ² + (1 − 2M/r) h²/r², which together are the null condition. A medium conserves |v| = n (the host can
+//! compute noise only where it is 1, outside an explosion). Flows conserve nothing. The drift is the difference between the end and the
+//! start of a ray, relative to the magnitude of the quantity's terms.
 
 use glam::DVec3;
 
@@ -10,7 +11,7 @@ use super::Quantiles;
 use crate::model::Law;
 use crate::render::{Status, Traced};
 
-/// Each quantity's drift over rays that were followed to an end: from `starts` (x and v) to their ends.
+/// Returns each quantity's drift over rays with an end, from `starts` (x and v) to their ends.
 #[must_use]
 pub fn drift<'r>(
     law: &dyn Law,

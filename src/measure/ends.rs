@@ -1,4 +1,4 @@
-//! Where the rays of a picture ended, as its layers tell, and how far two runs are apart.
+//! The ends of an image's rays, from its layers, and the distance between two runs.
 
 use glam::DVec3;
 
@@ -6,26 +6,26 @@ use super::Quantiles;
 use crate::program::Layer;
 use crate::render::{Plane, Rendering, Status};
 
-/// What a picture keeps so that its rays' ends can be compared.
+/// The layers that an image stores so that the ends of rays can be compared.
 const LAYERS: [Layer; 4] = [Layer::Position, Layer::Object, Layer::Status, Layer::Way];
 
-/// These layers, and after them those that are compared besides.
+/// Returns these layers, followed by other layers to compare.
 #[must_use]
 pub fn compared_layers(layers: &[Layer]) -> Vec<Layer> {
     layers.iter().copied().chain(LAYERS.into_iter().filter(|layer| !layers.contains(layer))).collect()
 }
 
-/// Where a ray of the picture ended.
+/// The end of a ray of the image.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct End {
     status: Status,
     object: u32,
     place: DVec3,
-    /// Its direction, as long as the way to its end.
+    /// The direction, with the distance to the end as its length.
     way: DVec3,
 }
 
-/// The ends of a picture's rays; those that a picture does not have are left out.
+/// Returns the ends of an image's rays, without pixels that have no rays.
 pub(super) fn ends(rendering: &Rendering) -> Vec<End> {
     let [Some(Plane::Vector(place)), Some(Plane::Id(object)), Some(Plane::Id(status)), Some(Plane::Vector(way))] =
         LAYERS.map(|layer| rendering.band.layer(layer))
@@ -43,13 +43,12 @@ pub(super) fn ends(rendering: &Rendering) -> Vec<End> {
 }
 
 impl End {
-    /// Did the ray come to no end at all?
+    /// Returns `true` if the ray has no end.
     fn is_endless(&self) -> bool {
         matches!(self.status, Status::Alive | Status::Exhausted | Status::Stalled | Status::Failed)
     }
 
-    /// As [`Deviations::seen`](super::Deviations::seen), in radians: an end of another kind, or on another object, is beyond all
-    /// bounds.
+    /// Returns the error as in [`Deviations::seen`](super::Deviations::seen), in radians; infinite for another status or object.
     fn seen(&self, truth: &Self) -> f64 {
         if (self.status, self.object) != (truth.status, truth.object) {
             return f64::INFINITY;
@@ -68,40 +67,40 @@ pub(super) fn angle(a: DVec3, b: DVec3) -> f64 {
     a.cross(b).length().atan2(a.dot(b))
 }
 
-/// Rays whose directions differ by more than this, in radians, have nothing to do with each other any more.
+/// The difference of directions, in radians, above which two rays are unrelated.
 const UNSETTLED: f64 = 0.1;
 
-/// Rays by whether their ends are known.
+/// The number of rays by the state of their ends.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub struct Settled {
-    /// All that were compared.
+    /// All compared rays.
     pub all: usize,
-    /// Those that end otherwise with finer steps, as close to a critical ray or in chaos.
+    /// The rays with other ends at finer steps, because they are near-critical or chaotic.
     pub unsettled: usize,
-    /// Those that come to no end.
+    /// The rays without an end.
     pub endless: usize,
 }
 
 impl Settled {
-    /// Are more than one of a hundred unsettled, so that nothing can be said of 99?
+    /// Returns `true` if more than one of a hundred rays is unsettled, so that no error for 99 is known.
     #[must_use]
     pub fn is_lacking(&self) -> bool {
         100 * self.unsettled > self.all - self.endless
     }
 }
 
-/// What stands for the truth: the ends of a run, and what they are off by.
+/// The reference: the ends of a run with their estimated errors.
 pub(super) struct Finest {
     ends: Vec<End>,
-    /// Is the end of a ray settled; none where it has no end.
+    /// Is `Some(true)` for a ray with a settled end; `None` for a ray without an end.
     settled: Vec<Option<bool>>,
-    /// What 99 of 100 rays are off by, at most, in radians.
+    /// The largest error of 99 of 100 rays, in radians.
     pub slack: f64,
     pub rays: Settled,
 }
 
 impl Finest {
-    /// Of two runs, of which the second has finer steps.
+    /// Creates the reference from two runs, of which the second has finer steps.
     pub fn of(coarse: &[End], fine: &[End]) -> Self {
         let settled: Vec<_> = coarse
             .iter()
@@ -118,7 +117,7 @@ impl Finest {
         finest
     }
 
-    /// 99 of 100 rays of a run are off by no more, in radians. Unsettled rays count as wrong, unless there are so many that only
+    /// Returns the error bound of 99 of 100 rays of a run, in radians. Unsettled rays count as wrong, unless there are so many that only
     /// the others can be judged.
     pub fn deviation(&self, ends: &[End]) -> f64 {
         let skips = self.rays.is_lacking();

@@ -1,45 +1,45 @@
-//! Where the rays of a bundle come closest together.
+//! The focus of a ray bundle, where its paths are closest together.
 //!
-//! *Theory.* The spread of a bundle at a point p is the root mean square of the distances from p to its paths. Its least value
-//! is at a focus; that of straight lines is the solution of 3 × 3 equations, Σ (1 − d dᵀ)(p − x) = 0. On curves the same step,
-//! with the tangents at the nearest points for lines, is repeated (Gauss and Newton).
+//! *Theory.* The spread of a bundle at a point p is the root mean square of the distances from p to its paths. It is minimal at a focus.
+//! For straight lines this is the solution of 3 × 3 equations, Σ (1 − d dᵀ)(p − x) = 0. For curves this step is iterated with the tangents
+//! at the nearest points (Gauss–Newton).
 //!
-//! *Practice.* A fan's spread is least of all where it starts, so that a search needs a place to begin: along some of the paths,
-//! the deepest place to which the spread has fallen from an earlier height. Where it only grows, or still falls at the paths' ends,
-//! the paths' last stretches are continued as straight lines, both ways: the focus of a lens that spreads light lies before it.
+//! *Practice.* The spread of a fan is least at its start, so that a search needs an initial point: along some of the paths, the point at
+//! which the spread has decreased most from an earlier value. If the spread only grows, or still decreases at the ends of the paths, the
+//! last segments are extended as straight lines in both directions, because a diverging lens has its focus before it.
 
 use glam::{DMat3, DVec3};
 
 use super::Curve;
 
-/// Paths along which a focus is sought.
+/// The number of paths along which the search looks for an initial point.
 const GUIDES: usize = 9;
-/// Paths whose distances are looked at while seeking.
+/// The number of paths whose distances the search computes.
 const COMPARED: usize = 40;
-/// Points of a path while seeking.
+/// The number of points per path in the search.
 const POINTS: usize = 300;
-/// A spread counts as fallen when it is below this part of an earlier one: those of parallel rays only tremble.
+/// The ratio to an earlier spread below which the spread has decreased; the spread of parallel rays fluctuates.
 const FALLEN: f64 = 0.9;
-/// Lines whose directions differ by less than this (mean square) are parallel.
+/// The mean square difference of directions below which lines are parallel.
 const PARALLEL: f64 = 1e-9;
-/// Rounds of the last search.
+/// The number of iterations of the final search.
 const ROUNDS: usize = 100;
 
 /// A focus.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Focus {
-    /// Where, in scene coordinates.
+    /// The position in scene coordinates.
     pub place: DVec3,
-    /// Root mean square of the rays' distances from there.
+    /// The root mean square of the distances of rays.
     pub spread: f64,
-    /// Whether the paths themselves come there, not only the straight lines that continue them.
+    /// Is `true` for a real focus, and `false` if only the straight extensions of the paths reach it.
     pub real: bool,
 }
 
-/// A point of a path and the unit direction of the path there.
+/// A point of a path with the unit direction of the path there.
 type Tangent = (DVec3, DVec3);
 
-/// Where these paths come closest together, behind their starts; none of fewer than two, or of rays that stay parallel.
+/// Returns the point behind their starts where these paths are closest together, or `None` for fewer than two paths or parallel rays.
 #[must_use]
 pub fn focus(curves: &[Curve]) -> Option<Focus> {
     let paths: Vec<Vec<DVec3>> = curves.iter().map(Curve::flattened).filter(|path| path.len() > 1).collect();
@@ -50,14 +50,14 @@ pub fn focus(curves: &[Curve]) -> Option<Focus> {
     let beyond = meeting(&lasts).map(|place| Focus { place, spread: root_mean_square(&lasts, place), real: false });
     let Some((start, at_end)) = deepest(&paths) else { return beyond };
     let found = refined(&paths, start);
-    // Rays that still converge where they end meet beyond.
+    // Rays that still converge at their ends meet beyond them.
     match beyond {
         Some(beyond) if at_end && beyond.spread < 0.5 * found.spread => Some(beyond),
         _ => Some(found),
     }
 }
 
-/// The place to which the spread falls most, along some of the paths, and whether that is a path's end.
+/// Returns the point of the greatest decrease of the spread along some of the paths, and `true` if it is the end of a path.
 fn deepest(paths: &[Vec<DVec3>]) -> Option<(DVec3, bool)> {
     let thinned: Vec<Vec<DVec3>> = evenly(paths, COMPARED).map(|path| resampled(path)).collect();
     let mut best: Option<(f64, DVec3, bool)> = None;
@@ -74,7 +74,7 @@ fn deepest(paths: &[Vec<DVec3>]) -> Option<(DVec3, bool)> {
     best.map(|(_, place, at_end)| (place, at_end))
 }
 
-/// Gauss and Newton's steps from a place, while they make the spread less.
+/// Iterates Gauss–Newton steps from a point as long as the spread decreases.
 fn refined(paths: &[Vec<DVec3>], start: DVec3) -> Focus {
     let mut focus = Focus { place: start, spread: spread(paths, start), real: true };
     for _ in 0..ROUNDS {
@@ -89,13 +89,13 @@ fn refined(paths: &[Vec<DVec3>], start: DVec3) -> Focus {
     focus
 }
 
-/// So many of the items, from first to last.
+/// Returns `count` evenly spaced items, from first to last.
 fn evenly<T>(items: &[T], count: usize) -> impl Iterator<Item = &T> {
     let kept = count.min(items.len());
     (0..kept).map(move |i| &items[if kept == 1 { 0 } else { i * (items.len() - 1) / (kept - 1) }])
 }
 
-/// Points at equal distances along a path, with its ends: however long or many its segments are.
+/// Returns equidistant points along a path, including its ends, regardless of the number and length of segments.
 fn resampled(path: &[DVec3]) -> Vec<DVec3> {
     let length: f64 = path.windows(2).map(|ends| ends[0].distance(ends[1])).sum();
     let step = length / POINTS as f64;
@@ -117,7 +117,7 @@ fn spread(paths: &[Vec<DVec3>], p: DVec3) -> f64 {
     (squares.sum::<f64>() / paths.len() as f64).sqrt()
 }
 
-/// The point of a path that is nearest to p.
+/// Returns the point of a path nearest to p.
 fn nearest(path: &[DVec3], p: DVec3) -> Option<Tangent> {
     let place = |i: usize| {
         let along = path[i + 1] - path[i];
@@ -133,14 +133,14 @@ fn tangent(path: &[DVec3], i: usize, t: f64) -> Option<Tangent> {
     Some((path[i].lerp(path[i + 1], t), (path[i + 1] - path[i]).try_normalize()?))
 }
 
-/// The point with the least squares of distances from lines; none if they are parallel.
+/// Returns the least-squares intersection of lines, or `None` if they are parallel.
 fn meeting(lines: &[Tangent]) -> Option<DVec3> {
     let across = |d: DVec3| DMat3::IDENTITY - DMat3::from_cols(d * d.x, d * d.y, d * d.z);
     let count = lines.len().max(1) as f64;
     let middle = lines.iter().map(|(x, _)| *x).sum::<DVec3>() / count;
     let matrix = lines.iter().fold(DMat3::ZERO, |sum, (_, d)| sum + across(*d)) * (1.0 / count);
     let side = lines.iter().fold(DVec3::ZERO, |sum, (x, d)| sum + across(*d) * (*x - middle)) / count;
-    // The least eigenvalue is the lines' mean square deviation from a common direction; the others are near 1.
+    // The least eigenvalue is the mean square deviation of the lines from a common direction; the others are near 1.
     (matrix.determinant() > PARALLEL).then(|| middle + matrix.inverse() * side)
 }
 
@@ -157,7 +157,7 @@ mod tests {
         ends.map(|ends| Curve::through(&ends)).collect()
     }
 
-    /// Rays from x = −5 to x = 5 at heights y, through (2, 0, 0) but for an error of their own.
+    /// Returns rays from x = −5 to x = 5 at heights y, which pass (2, 0, 0) with individual errors.
     fn through(error: f64) -> Vec<Curve> {
         lines((-4..=4).map(|i| {
             let slope = 0.1 * f64::from(i);
@@ -173,7 +173,7 @@ mod tests {
             found.place.distance(DVec3::new(2.0, 0.0, 1.0)) < 1e-9 && found.spread < 1e-9 && found.real,
             "{found:?}"
         );
-        // Nine lines y = s (x − 2) ± e: the least squares by hand, Σ (y − s (x − 2) ∓ e)²/(1 + s²).
+        // Nine lines y = s (x − 2) ± e: the analytic least-squares solution of Σ (y − s (x − 2) ∓ e)²/(1 + s²).
         let found = focus(&through(0.01)).unwrap();
         let spread = |p: DVec3| {
             let squares = (-4..=4).map(|i| {
@@ -206,9 +206,9 @@ mod tests {
 
     #[test]
     fn a_fan_that_is_bent_back_has_its_focus_where_it_meets_again() {
-        // Circles of one size from (−1, 0) through (1, 0), as in Maxwell's fisheye.
+        // Circles of one size from (−1, 0) through (1, 0), as in a Maxwell fisheye lens.
         let circles = (-4..=4).map(|i| 0.2 * f64::from(i)).map(|height| {
-            // About (0, h), by the angle from straight up: from −a to a, where both ends are at y = 0.
+            // Around (0, h), by the angle from vertical, from −a to a; both ends are at y = 0.
             let radius = (1.0 + height * height).sqrt();
             let end = 1.0_f64.atan2(-height);
             let point = |k: i32| {

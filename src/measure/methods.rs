@@ -1,4 +1,4 @@
-//! The methods that a law allows, each with its range of settings.
+//! The methods that a law allows, each with a range of settings.
 
 use crate::model::control::PLANNED;
 use crate::model::law::UsualSteps;
@@ -6,16 +6,16 @@ use crate::model::method::{CLOSED_FORMS, Kind, METHODS, Path, TOLERANT};
 use crate::model::{Control, Method};
 use crate::scene::Scene;
 
-/// A method with its settings, from coarse to fine: numbers of one and the same kind of control.
+/// A method with settings of one kind of control, from coarse to fine.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Candidate {
-    /// As in a scene file, with what else tells it from the others.
+    /// The name in a scene file, with an additional distinction if necessary.
     pub name: &'static str,
-    /// The integrator.
+    /// The integration method.
     pub method: Method,
-    /// Its settings.
+    /// The settings.
     pub controls: Vec<Control>,
-    /// Do closed forms stand for it where there are some?
+    /// Is `true` if closed forms replace the method where they exist.
     pub closed_forms: bool,
 }
 
@@ -25,14 +25,14 @@ impl Candidate {
         (kind.sweeps)().into_iter().map(move |(name, controls)| Self { name, method, controls, closed_forms })
     }
 
-    /// The scene with this method at a setting.
+    /// Returns the scene with this method at a setting.
     #[must_use]
     pub fn applied(&self, scene: &Scene, control: Control) -> Scene {
         scene.followed_by(self.method, control, self.closed_forms)
     }
 }
 
-/// Every method that the scene's law allows.
+/// Returns every method that the scene's law allows.
 #[must_use]
 pub fn all_methods(scene: &Scene) -> Vec<Candidate> {
     let demands = scene.demands();
@@ -40,7 +40,7 @@ pub fn all_methods(scene: &Scene) -> Vec<Candidate> {
     allowed.flat_map(Candidate::all_of).collect()
 }
 
-/// Those that a chart has shown to be the fastest somewhere; where no light is bent, none but closed forms.
+/// Returns the methods that are fastest in some chart, or only closed forms if no light is bent.
 #[must_use]
 pub fn fast_methods(scene: &Scene) -> Vec<Candidate> {
     if !scene.demands().needs_solver {
@@ -58,7 +58,7 @@ pub fn fast_methods(scene: &Scene) -> Vec<Candidate> {
     methods
 }
 
-/// The one that is probably the cheapest of them, by what is known of the law.
+/// Returns the method that is probably the cheapest for the law.
 #[must_use]
 pub fn usual_method(scene: &Scene) -> Option<Candidate> {
     let mut all = fast_methods(scene);
@@ -71,19 +71,20 @@ pub fn usual_method(scene: &Scene) -> Option<Candidate> {
     Some(all.swap_remove(at))
 }
 
-/// Is it of the same order for fewer evaluations of the same derivative, by steps that are planned likewise?
+/// Returns `true` if the other method has equal order and planned steps with fewer evaluations of the same derivative.
 fn outdoes(other: &Kind, kind: &Kind) -> bool {
     let planned = |kind: &Kind| kind.path == Path::Steps && kind.controls.starts_with(&PLANNED);
     planned(other) && planned(kind) && other.order == kind.order && other.evaluations < kind.evaluations
 }
 
-/// What meeting an object costs a step, in evaluations of a simple derivative, and the objects from which on a structure sorts them.
+/// The cost of an intersection test per step, in evaluations of a simple derivative, and the number of objects above which an acceleration
+/// structure sorts them.
 const OBJECT_COST: f64 = 4.0;
 const SORTED: usize = 12;
 
-/// What a path of so many accepted and rejected steps costs, in evaluations of a simple derivative: from a half to three nanoseconds
-/// on two CPU cores. What is compared is methods on one scene, for which the numbers were found: in charts of the shipped scenes the
-/// cheapest of [`fast_methods`] takes no longer than the others, but for noise. They do not tell how long another scene takes.
+/// Returns the cost of a path with these accepted and rejected steps, in evaluations of a simple derivative, which take 0.5 to 3 ns on two
+/// CPU cores. The numbers are fitted to compare methods on one scene: in charts of the shipped scenes, the cheapest of [`fast_methods`] is
+/// the fastest, except for noise. They do not predict the time of another scene.
 #[must_use]
 pub fn cost(scene: &Scene, method: Method, control: Control, steps: f64, rejected: f64) -> f64 {
     let terms = f64::from(scene.law.facts().terms.max(1));
@@ -92,7 +93,7 @@ pub fn cost(scene: &Scene, method: Method, control: Control, steps: f64, rejecte
     terms * evaluations(method, control, steps, rejected) + own * (steps + rejected) + objects * steps
 }
 
-/// Evaluations of the law's derivative in a path of so many accepted and rejected steps.
+/// Returns the derivative evaluations of a path with these accepted and rejected steps.
 #[must_use]
 pub fn evaluations(method: Method, control: Control, steps: f64, rejected: f64) -> f64 {
     (control.kind.evaluations)(method.kind.evaluations.into(), steps, rejected)

@@ -1,13 +1,12 @@
-//! How right a render is, and how to make it right in the least time.
+//! Measurement of a render's accuracy, and the search for accurate settings of the least cost.
 //!
-//! *Theory.* A picture's rays are followed again in 64 bits, by the general law and Dormand and Prince's pair at a far smaller
-//! tolerance. A second such run, ten times looser, bounds the first one's own error: rays on which the two disagree (chaotic
-//! flows beyond the time that any number of digits follows, rays at the very edge of an object) are *unresolved*, and counted
-//! apart. What differs from the truth in the others is the error.
+//! *Theory.* A reference solution follows an image's rays again in 64 bits, by the general law and the Dormand–Prince pair at a far smaller
+//! tolerance. A second such run, ten times looser, bounds the error of the first: rays on which the two disagree (chaotic flows beyond the
+//! time that any number of digits can follow, rays at the edge of an object) are *unresolved*, and counted separately. For the others, the
+//! error is the difference from the reference solution.
 //!
-//! *Practice.* [`verify`] measures a scene as it is; [`calibrate`] tries the methods that a law allows on a few thousand rays and
-//! takes the cheapest that is right; `chart` sweeps all of them. A program is compiled once per method: what a sweep changes
-//! are numbers.
+//! *Practice.* [`verify`] measures a scene unchanged; [`calibrate`] tries the methods that a law allows on a few thousand rays and takes
+//! the cheapest accurate one; `chart` sweeps all of them. A program is compiled once per method, because a sweep changes only numbers.
 
 mod calibrate;
 mod curve;

@@ -1,12 +1,11 @@
-//! A method against itself with finer steps: what it errs by, found with the picture's own program.
+//! The comparison of a method with finer steps of itself, which estimates its error with the image's program.
 //!
-//! *Theory.* A run with much finer steps stands for the truth. Steps are refined until two runs agree much better than is asked for.
-//! From how fast the distances between such runs shrink follows what the last one is still off by, and that is part of every error
-//! measured against it. Rounding does not shrink: where it keeps two runs apart, the pair that agrees best is taken, and the errors
-//! are as large as that makes them.
+//! *Theory.* A run with much finer steps is the reference. Steps are refined until two runs agree much better than required. The error of
+//! the last run follows from the ratio of the distances between such runs, and is part of every error relative to it. Rounding errors do
+//! not decrease: if they keep two runs apart, the pair that agrees best is used, and the errors include the difference.
 //!
-//! *Practice.* Nothing is compiled that the picture does not run anyway, and compiling is most of what trying a method costs. The
-//! search ends before a run that would make it cost more than a tenth of the picture.
+//! *Practice.* Only the image's program is compiled, and compilation is most of the cost of a trial. The search ends before a run that
+//! would increase its cost above a tenth of the image's.
 
 use super::ends::{End, Finest, Settled, compared_layers, ends};
 use super::{Candidate, cost};
@@ -15,59 +14,59 @@ use crate::program::Choice;
 use crate::render::{RenderError, RenderSettings, Renderer};
 use crate::scene::{Control, LightGrid, Method, Scene};
 
-/// Rays that are compared, about.
+/// The approximate number of compared rays.
 const RAYS: f64 = 4096.0;
-/// The finest accuracy, in radians, that can be told from the digits that a picture's layers have.
+/// The finest accuracy, in radians, that the digits of an image's layers can resolve.
 const FINEST: f64 = 3e-6;
-/// Two runs that agree this much better than asked for are near enough to the truth.
+/// The ratio of the distance between two runs to the required error below which they are an accurate reference.
 const AGREES: f64 = 0.25;
-/// The first setting that is tried for a truth, and how many settings finer the next one is.
+/// The index of the first setting that is tried as the reference, and the number of settings between it and the next one.
 const FIRST_TRUTH: usize = 3;
 const STRIDE: usize = 3;
-/// By what factor the error of the next finer setting is smaller, about.
+/// The approximate factor between the errors of consecutive settings.
 const FINER: f64 = 3.16;
-/// How much more a run costs with steps so much finer, about.
+/// The approximate factor between the costs of the steps of these settings.
 const DEARER: f64 = 2.4;
-/// What the runs of a search may cost whatever the picture takes, in evaluations: about a tenth of a second on two CPU cores.
+/// The minimum budget of a search, in evaluations: about a tenth of a second on two CPU cores.
 const FREE: f64 = 1e8;
-/// The part of the picture's own cost that they may take otherwise.
+/// The fraction of the image's cost that is the budget otherwise.
 const SHARE: f64 = 0.1;
-/// The first setting that is tried against the truth.
+/// The index of the first setting that is compared with the reference.
 const FIRST: usize = 2;
-/// Of settings whose errors differ by less than this factor the coarsest is taken, where none is right.
+/// The factor between errors below which the coarsest setting is taken if none is accurate.
 const NO_BETTER: f64 = 1.5;
 
-/// A method at a setting, with what a search found of it.
+/// A method at a setting, with the results of a search.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Found {
     pub control: Control,
-    /// 99 of 100 rays err by no more, in radians; of those that are settled, where too many are not.
+    /// The error bound of 99 of 100 rays, in radians; of settled rays only, if too many are not.
     pub error: f64,
-    /// What a ray costs, in evaluations of a simple derivative.
+    /// The cost of a ray, in evaluations of a simple derivative.
     pub cost: f64,
-    /// What became of the rays that were compared.
+    /// The states of the compared rays.
     pub rays: Settled,
 }
 
-/// The ends of a run's rays, and what one of them costs.
+/// The ends of a run's rays, and the cost of one ray.
 struct Run {
     ends: Vec<End>,
     cost: f64,
 }
 
-/// A picture's program, compiled, and a first run by the method that is tried.
+/// The compiled program of an image, with a first run of the method that is tried.
 pub(super) struct Trying<'a> {
     pub renderer: Renderer<'a>,
     scene: Scene,
     candidate: Candidate,
     max_segments: u32,
-    /// By the first setting that may stand for the truth; none where a path is too long for the pass that follows all of it.
+    /// The run of the first setting for the reference; `None` if a path is too long for the pass that follows all of it.
     first: Option<Run>,
 }
 
 impl<'a> Trying<'a> {
-    /// Compiles the program of a picture of `scene` by a method. None where its runs cannot be compared: for a method
-    /// without settings to compare, and for an accuracy beyond the digits of a picture's layers.
+    /// Compiles the program of an image of `scene` with a method. Returns `None` if its runs cannot be compared: for a method without
+    /// settings, and for an accuracy beyond the digits of an image's layers.
     pub fn new(
         gpu: &'a Gpu,
         scene: &Scene,
@@ -82,7 +81,7 @@ impl<'a> Trying<'a> {
         let mut small = candidate.applied(scene, candidate.controls[FIRST_TRUTH]);
         small.image.size = reduced(scene.image.size);
         small.rays.max_segments = max_segments;
-        // What light falls where does not matter, only where rays end.
+        // Only the ends of rays matter, not the light.
         for light in &mut small.lights {
             light.grid = LightGrid::COARSEST;
         }
@@ -90,17 +89,17 @@ impl<'a> Trying<'a> {
         let settings = RenderSettings { choice, window: None, ..settings.clone() };
         let renderer = Renderer::keeping(gpu, small, settings)?;
         let mut trying = Self { renderer, scene: scene.clone(), candidate, max_segments, first: None };
-        // Drivers compile when a program is first run.
+        // Drivers compile a program when it first runs.
         trying.first = trying.run(trying.candidate.refined(FIRST_TRUTH))?;
         Ok(Some(trying))
     }
 
-    /// The method that is tried.
+    /// Returns the method that is tried.
     pub fn method(&self) -> Method {
         self.candidate.method
     }
 
-    /// Runs a control; none where a path is too long.
+    /// Runs a control; returns `None` if a path is too long.
     fn run(&mut self, control: Control) -> Result<Option<Run>, RenderError> {
         self.renderer.retune(control, self.max_segments)?;
         let Some(rendering) = self.renderer.first_sample()? else { return Ok(None) };
@@ -110,8 +109,8 @@ impl<'a> Trying<'a> {
         Ok(Some(Run { ends: ends(&rendering), cost }))
     }
 
-    /// The coarsest setting by which 99 of 100 rays err by no more than `accuracy`, in radians; or, where none is right, the cheapest
-    /// that is hardly worse than the best. None where no two settings could be run. `rays` is how many the whole picture has.
+    /// Returns the coarsest setting with which 99 of 100 rays have errors up to `accuracy`, in radians, or otherwise the cheapest that is
+    /// nearly the best. Returns `None` if no two settings could run. `rays` is the number of rays of the whole image.
     pub fn search(&mut self, accuracy: f64, rays: u64) -> Result<Option<Found>, RenderError> {
         let Some(first) = self.first.take() else { return Ok(None) };
         let mut budget = Budget::new(self.scene.image.size, rays, first.cost);
@@ -127,7 +126,7 @@ impl<'a> Trying<'a> {
             let was_right = tried.iter().any(|found| found.error <= accuracy);
             tried.push(Found { control, error, cost: run.cost, rays: truth.rays });
             let is_right = error <= accuracy;
-            // So many settings further one may go, or has to.
+            // The number of settings further that the search may or must move.
             let further = ((accuracy / error).ln() / FINER.ln()).abs().min(last as f64) as usize;
             k = match (is_right, was_right) {
                 (true, false) if further > 0 && k > 0 => k.saturating_sub(further),
@@ -142,7 +141,7 @@ impl<'a> Trying<'a> {
         Ok(enough.min_by(|a, b| a.cost.total_cmp(&b.cost)))
     }
 
-    /// Tries the setting between the coarsest that is right and the next coarser one, which is not.
+    /// Tries the setting between the coarsest accurate one and the next coarser one.
     fn halve(&mut self, truth: &Finest, accuracy: f64, tried: &mut Vec<Found>) -> Result<(), RenderError> {
         let right = tried.iter().filter(|found| found.error <= accuracy).min_by(|a, b| a.cost.total_cmp(&b.cost));
         let wrong = tried.iter().filter(|found| found.error > accuracy).max_by(|a, b| a.cost.total_cmp(&b.cost));
@@ -154,7 +153,7 @@ impl<'a> Trying<'a> {
         Ok(())
     }
 
-    /// What stands for the truth, after the first run that may.
+    /// Returns the reference, starting from the first run that may be one.
     fn truth(&mut self, first: Run, accuracy: f64, budget: &mut Budget) -> Result<Option<Finest>, RenderError> {
         let last = self.candidate.controls.len() - 1;
         let mut best: Option<Finest> = None;
@@ -181,15 +180,15 @@ impl<'a> Trying<'a> {
     }
 }
 
-/// What a search may cost, in evaluations.
+/// The budget of a search, in evaluations.
 struct Budget {
-    /// Rays of a run.
+    /// The number of rays of a run.
     rays: f64,
     left: f64,
 }
 
 impl Budget {
-    /// For a picture of so many rays, by what one of them costs at first.
+    /// Creates the budget for an image of `rays` rays with this initial cost of a ray.
     fn new(size: [u32; 2], rays: u64, cost: f64) -> Self {
         let own = f64::from(reduced(size).into_iter().product::<u32>());
         Self { rays: own, left: FREE.max(SHARE * rays as f64 * cost) - own * cost }
@@ -199,20 +198,20 @@ impl Budget {
         self.left -= self.rays * cost;
     }
 
-    /// Is there enough left for a run of this cost?
+    /// Returns `true` if the budget allows a run of this cost.
     fn allows(&self, cost: f64) -> bool {
         self.rays * cost <= self.left
     }
 }
 
-/// What the finer of two runs is off by, in parts of the distance between them, where each such distance is this part of the one
-/// before: the sum of all that would follow. Where distances do not shrink they are roundings, of which half is its own.
+/// Returns the error of the finer of two runs relative to the distance between them, if each distance is `ratio` times the one before: the
+/// sum of all that would follow. Distances that do not decrease are rounding errors, half of which belong to the finer run.
 pub(super) fn remaining(ratio: f64) -> f64 {
     if ratio < 1.0 / 3.0 { ratio / (1.0 - ratio) } else { 0.5 }
 }
 
 impl Candidate {
-    /// A setting with all of it finer: where a tolerance chooses the steps, their longest too, or it would hide an error of its own.
+    /// Returns a refined setting; for a tolerance the longest step is also refined, because it would otherwise hide its error.
     fn refined(&self, k: usize) -> Control {
         let control = self.controls[k];
         if control.kind.has_tolerance {
@@ -223,7 +222,7 @@ impl Candidate {
     }
 }
 
-/// The picture's size, or a smaller one of about its shape with no more rays than are compared.
+/// Returns the image's size, or a smaller one of similar shape with at most the number of compared rays.
 fn reduced([width, height]: [u32; 2]) -> [u32; 2] {
     let scale = (RAYS / (f64::from(width) * f64::from(height))).sqrt().min(1.0);
     [width, height].map(|side| ((f64::from(side) * scale).round() as u32).max(1))

@@ -1,12 +1,12 @@
-//! Which pixels to look at: the same ones in every run.
+//! The choice of random pixels, which is repeatable.
 
 use std::collections::HashMap;
 
-/// A small generator, so that a measurement can be repeated.
+/// A small generator with a fixed seed, so that a measurement can be repeated.
 struct Random(u64);
 
 impl Random {
-    /// Less than `n`: `SplitMix64`, whose slight preference at such small n is of no account.
+    /// Returns a number below `n` by `SplitMix64`, whose bias is negligible for such small n.
     fn below(&mut self, n: u64) -> u64 {
         self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
         let mut z = self.0;
@@ -16,13 +16,13 @@ impl Random {
     }
 }
 
-/// `count` different pixels at random, or all of them if there are no more; others for another seed.
+/// Returns `count` different random pixels, or all of them if there are fewer; another seed returns others.
 #[must_use]
 pub fn scattered(size: [u32; 2], count: usize, seed: u64) -> Vec<[u32; 2]> {
     let [width, height] = size.map(u64::from);
     let all = width * height;
     let mut random = Random(seed);
-    // The first steps of a shuffle of all pixels, of which only those are kept that are not in their own place any more.
+    // The first steps of a shuffle of all pixels, which stores only the pixels that have moved.
     let mut moved = HashMap::new();
     let step = |i: u64| {
         let j = i + random.below(all - i);
@@ -32,7 +32,7 @@ pub fn scattered(size: [u32; 2], count: usize, seed: u64) -> Vec<[u32; 2]> {
     (0..all.min(count as u64)).map(step).map(|at| [(at % width) as u32, (at / width) as u32]).collect()
 }
 
-/// The pixels of a whole picture, row by row.
+/// Returns the pixels of a whole image, row by row.
 #[must_use]
 pub fn every_pixel([width, height]: [u32; 2]) -> Vec<[u32; 2]> {
     (0..height).flat_map(|y| (0..width).map(move |x| [x, y])).collect()

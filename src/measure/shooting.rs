@@ -1,12 +1,13 @@
-//! `method = "auto"` for shooting: a setting is right if finer ones find the same paths from lights to places.
+//! The search of `method = "auto"` for the shooting method: a setting is accurate if finer ones find identical paths from lights to
+//! positions.
 //!
-//! *Theory.* Where a ray aimed at a place ends tells little of the paths that lead there: Newton's method divides by how a bundle
-//! spreads. What is compared is therefore what is asked for, the directions of a path at both of its ends. Steps are refined until the
-//! distances between runs, and how fast they shrink, tell that the last one is right; what the search itself misses a place by is part
-//! of them.
+//! *Theory.* The end of a ray towards a position says little about the paths that lead there, because the Newton iteration divides by the
+//! spread of a bundle. The comparison therefore uses the required result, the directions of a path at both ends. Steps are refined until
+//! the distances between runs, and their ratios, show that the last one is accurate; they include the residual of the search at the
+//! position.
 //!
-//! *Practice.* The program that is compiled is the one that goes on to find all paths. Shooting's own method about a single center
-//! takes the same steps at every setting, and tells what they are off by.
+//! *Practice.* The compiled program later finds all paths. The shooting solver for a single center takes equal steps at every setting, and
+//! reports their error.
 
 use std::cmp::Reverse;
 use std::iter::successors;
@@ -26,23 +27,23 @@ use crate::model::method::TOLERANT;
 use crate::render::{LightPath, LightTracer, RenderError, RenderSettings};
 use crate::scene::{Control, Precision, Scene};
 
-/// Pairs of a light and a place that settings are tried on, at most.
+/// The largest number of pairs of a light and a position on which settings are tried.
 const PAIRS: usize = 200;
-/// The first tolerance that is tried, in parts of the accuracy asked for: smooth paths err by far less.
+/// The first tolerance, relative to the required accuracy: the errors of smooth paths are far smaller.
 const LOOSE: f64 = 100.0;
-/// The largest tolerance that is tried.
+/// The largest tolerance.
 const COARSEST: f64 = 1e-3;
-/// The least tolerance that 32 bits are sure to keep; of 64 bits it is [`FINEST`].
+/// The least reliable tolerance of 32 bits; for 64 bits it is [`FINEST`].
 const FINEST_SINGLE: f64 = 1e-7;
-/// The next tolerance, in parts of the one before.
+/// The ratio of consecutive tolerances.
 const FINER: f64 = 0.1;
-/// Of the law's length, a step at most.
+/// The longest step, relative to the law's length scale.
 const CAP: f64 = 0.3;
-/// Directions at the light, in radians, that belong to one path at both settings.
+/// The difference of directions at the light, in radians, below which two settings have found one path.
 const ONE_PATH: f64 = 1e-2;
 
-/// Finds the setting for the paths between `pairs` of a place and a light, and the light tracer that finds them by it; none where the scene
-/// names a method.
+/// Finds the setting for the paths between `pairs` of a position and a light, and a light tracer with it; returns `None` if the scene
+/// specifies a method.
 pub fn calibrate_paths<'a>(
     gpu: &'a Gpu,
     scene: &Scene,
@@ -86,8 +87,8 @@ fn count(paths: &Paths) -> usize {
 }
 
 impl<'a> Trying<'a, '_> {
-    /// Finds the first setting that is right in numbers of this precision or, if none is, the one with the most right paths; and returns a
-    /// light tracer that uses it.
+    /// Finds the first accurate setting in this precision or, if there is none, the one with the most accurate paths; also returns a light
+    /// tracer with it.
     fn search(&self, precision: Precision) -> Result<(Calibration, LightTracer<'a>), RenderError> {
         let (method, max_segments) = (self.candidate.method, segments(self.scene));
         let controls = self.controls(precision);
@@ -100,7 +101,7 @@ impl<'a> Trying<'a, '_> {
         for &control in &controls[1..] {
             tracer.retune(control, max_segments)?;
             let fine = tracer.paths_between(self.pairs)?.0;
-            // Finer steps may leave no room for a path that coarser ones find.
+            // Finer steps may leave too few segments for a path that coarser ones find.
             let most = best.as_ref().map_or(0, |(best, _)| best.rays.all);
             let found = Compared::of((&coarse, &fine), most, before, MARGIN * self.accuracy);
             before = Some(found.distance);
@@ -120,7 +121,7 @@ impl<'a> Trying<'a, '_> {
         Ok((Calibration { precision, rays, ..chosen_for(self.scene, self.settings, self.accuracy, chosen) }, tracer))
     }
 
-    /// Settings from coarse to fine, each compared with the one before. One that has no numbers is compared with itself.
+    /// Returns settings from coarse to fine, each compared with the one before. A setting without numbers is compared with itself.
     fn controls(&self, precision: Precision) -> Vec<Control> {
         if self.candidate.method != TOLERANT {
             return vec![self.candidate.controls[0]; 2];
@@ -135,20 +136,20 @@ impl<'a> Trying<'a, '_> {
     }
 }
 
-/// The finer of two runs, by how far its paths are from those of the coarser one.
+/// The finer of two runs, with the distance of its paths from those of the coarser one.
 struct Compared {
-    /// Between both runs, of 99 of 100 paths, in radians.
+    /// The distance between both runs for 99 of 100 paths, in radians.
     distance: f64,
-    /// What the finer one is off by, accordingly.
+    /// The resulting error of the finer one.
     error: f64,
     accuracy: f64,
     rays: Settled,
-    /// Paths that are as accurate as is asked for.
+    /// The number of paths with the required accuracy.
     right: usize,
 }
 
 impl Compared {
-    /// There are `most` paths at least, and `before` is how far the two runs before were apart.
+    /// Compares two runs. There are at least `most` paths, and `before` is the distance between the two runs before.
     fn of((coarse, fine): (&Paths, &Paths), most: usize, before: Option<f64>, accuracy: f64) -> Self {
         let pairs = coarse.iter().zip(fine);
         let distances: Vec<f64> =
@@ -167,13 +168,14 @@ impl Compared {
         self.error <= self.accuracy && !self.rays.is_lacking()
     }
 
-    /// The less, the better.
+    /// Returns a rank; lower is better.
     fn rank(&self) -> (Reverse<usize>, usize, f64) {
         (Reverse(self.right), self.rays.unsettled, self.error)
     }
 }
 
-/// How far a path is from the same one of a coarser run, at both ends and in what they miss the place by; none if there is none.
+/// Returns the distance of a path from its counterpart of a coarser run, at both ends and in their residuals, or `None` without a
+/// counterpart.
 fn distance_to(path: &LightPath, coarse: &[LightPath]) -> Option<f64> {
     let apart = |a: [f64; 3], b: [f64; 3]| angle(a.into(), b.into());
     let same = coarse.iter().min_by(|a, b| apart(a.leaves, path.leaves).total_cmp(&apart(b.leaves, path.leaves)))?;

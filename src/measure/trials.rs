@@ -1,4 +1,4 @@
-//! Methods tried on a few thousand rays whose ends are known.
+//! Trials of methods on a few thousand rays with known ends.
 
 use std::cmp::Ordering;
 use std::fmt;
@@ -9,14 +9,14 @@ use crate::model::method::TOLERANT;
 use crate::render::{RenderError, RenderSettings, Starts, Traced, Tracer};
 use crate::scene::{Control, Method, Precision, Scene};
 
-/// Rays whose error is measured.
+/// The number of rays whose error is measured.
 const RAYS: usize = 4000;
 const REFINEMENTS: usize = 2;
-/// What is asked for is met with so much to spare, because the picture has other rays than those that were tried.
+/// The fraction of the required error that trials must meet, because the image has other rays.
 pub(super) const MARGIN: f64 = 0.9;
-/// So many times the scene's own segments may a path have, whatever the method.
+/// The largest number of segments of a path, as a multiple of the scene's, for every method.
 const MORE_SEGMENTS: u32 = 4;
-/// What costs so many times the cheapest that is right has lost, as has what costs so much a ray.
+/// The multiple of the cheapest accurate cost, in total or per ray, above which a setting is dropped.
 pub(super) const LOST: f64 = 4.0;
 pub(super) const TOO_MANY: f64 = 4e5;
 
@@ -27,18 +27,18 @@ pub struct Trial {
     pub method: Method,
     /// The setting.
     pub control: Control,
-    /// 99 of 100 rays err by no more, in radians; infinite where that is not known.
+    /// The error bound of 99 of 100 rays, in radians; infinite if unknown.
     pub error: f64,
-    /// What a ray costs, in evaluations of a simple derivative: see [`cost`]; not finite where that is not known.
+    /// The cost of a ray, in evaluations of a simple derivative (see [`cost`]); not finite if unknown.
     pub cost: f64,
 }
 
-/// An auto scene's budget of segments is meant for any method.
+/// Returns the segment limit of a scene with `method = "auto"`, which suits any method.
 pub(super) fn segments(scene: &Scene) -> u32 {
     scene.rays.max_segments.saturating_mul(MORE_SEGMENTS)
 }
 
-/// The rays that methods are tried on.
+/// The rays on which methods are tried.
 pub(super) struct Trials<'a> {
     gpu: &'a Gpu,
     scene: &'a Scene,
@@ -70,13 +70,13 @@ impl<'a> Trials<'a> {
         self.given.as_deref().map_or(Starts::Pixels(&self.pixels, 1024), Starts::Given)
     }
 
-    /// May 64 bits reach what 32 do not? Not where the ends of more rays are unknown than may be wrong.
+    /// Returns `true` if 64 bits may reach an error that 32 do not; not if more ends are unknown than may be wrong.
     pub fn more_bits_help(&self) -> bool {
         let known = self.truth.len() - self.truth.unresolved();
         self.gpu.f64 && self.scene.rays.precision == Precision::Single && 100 * known >= 99 * self.truth.len()
     }
 
-    /// The cheaper of the method that was best and the usual one, in 64 bits; none where neither is better than `best`.
+    /// Returns the cheaper of the best and the usual method, in 64 bits, or `None` if neither is better than `best`.
     pub fn in_double(&self, best: &Trial) -> Result<Option<Trial>, RenderError> {
         let mut all = fast_methods(self.scene);
         all.retain(|candidate| [best.method, TOLERANT].contains(&candidate.method));
@@ -87,13 +87,13 @@ impl<'a> Trials<'a> {
         Ok(better.into_iter().min_by(|a, b| rank(a).partial_cmp(&rank(b)).unwrap_or(Ordering::Equal)))
     }
 
-    /// The coarsest setting that is right, or the most accurate of those that cost no more than `most` evaluations a ray.
+    /// Returns the coarsest accurate setting, or the most accurate of those that cost at most `most` evaluations per ray.
     pub fn first_right(&self, candidate: &Candidate, precision: Precision, most: f64) -> Result<Trial, RenderError> {
         let (method, control) = (candidate.method, candidate.controls[0]);
         let mut scene = candidate.applied(self.scene, control);
         scene.rays.precision = precision;
         scene.rays.max_segments = segments(self.scene);
-        // Few rays: what counts is not how many run but how many passes are recorded.
+        // For few rays, the number of passes matters more than the number of running rays.
         let settings = RenderSettings { segments: 256, ..self.settings.clone() };
         let mut tracer = Tracer::new(self.gpu, &scene, settings, self.starts().purpose())?;
         let mut tried = |control| -> Result<Trial, RenderError> {
@@ -119,7 +119,7 @@ impl<'a> Trials<'a> {
             }
             wrong = Some(control);
         }
-        // Steps as long as they may be lie between the last that was wrong and the first that was right.
+        // The longest accurate step is between the last inaccurate setting and the first accurate one.
         for _ in 0..REFINEMENTS {
             let (Some(coarse), true) = (wrong, is_right(&best)) else { break };
             let trial = tried(coarse.between(best.control))?;

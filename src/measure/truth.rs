@@ -1,4 +1,4 @@
-//! The rays' true ends.
+//! The reference solution: the true ends of rays.
 
 use crate::gpu::{Gpu, GpuError, adapters};
 use crate::model::control::{embedded, exact};
@@ -6,17 +6,17 @@ use crate::model::method::{CLOSED_FORMS, TOLERANT};
 use crate::render::{RenderError, RenderSettings, Starts, Status, Traced, Tracer};
 use crate::scene::{Precision, Scene, Segment};
 
-/// The least tolerance that f64 is sure to keep.
+/// The least reliable tolerance of f64.
 pub(super) const FINEST: f64 = 1e-13;
-/// Directions (radians) and places (in parts of the bound's radius) that two runs agree on.
+/// The difference of directions (radians) and positions (relative to the bounding radius) up to which two runs agree.
 const AGREES: f64 = 1e-6;
-/// So many times the scene's own segments may a path have that is followed so closely, within limits.
+/// The largest number of segments of a reference path, as a multiple of the scene's, within limits.
 const MORE_SEGMENTS: u32 = 100;
 const SEGMENTS: [u32; 2] = [20_000, 200_000];
-/// Few rays with long paths: passes are as long as the device allows.
+/// The number of segments per pass: few rays with long paths use passes as long as the device allows.
 const SEGMENTS_PER_PASS: u32 = 1024;
 
-/// The scene, to be followed in 64 bits by the general method; a closed form stays what it is.
+/// Returns the scene with the general method in 64 bits; closed forms are unchanged.
 #[must_use]
 pub fn reference(scene: &Scene, tolerance: f64) -> Scene {
     let mut scene = scene.clone();
@@ -39,7 +39,7 @@ pub fn reference(scene: &Scene, tolerance: f64) -> Scene {
     scene
 }
 
-/// A device that computes in 64 bits: the given one, or the first that can.
+/// Returns a device with 64-bit support: the given one, or the first that supports it.
 pub fn double_device(gpu: &Gpu) -> Result<Option<Gpu>, GpuError> {
     if gpu.f64 {
         return Ok(None);
@@ -50,41 +50,41 @@ pub fn double_device(gpu: &Gpu) -> Result<Option<Gpu>, GpuError> {
     Ok(Some(other.reporting(gpu.progress.clone())))
 }
 
-/// Directions, in radians, by which two runs may differ and their ray's end still be certain: of rays close to a critical one the
-/// direction is lost long before the end is.
+/// The difference of directions, in radians, up to which the end of a ray is certain; near a critical ray, the direction becomes unknown
+/// long before the end.
 const CERTAIN: f64 = 0.5;
 
-/// What is known of a ray's true end.
+/// The known part of a ray's reference solution.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Known {
-    /// All of it.
+    /// The complete end.
     Whole(Traced),
-    /// How it ends and on what, but not in which direction or at which place.
+    /// The termination status and the object, but not the direction or position.
     End(Traced),
-    /// Nothing: two runs disagree.
+    /// No part, because two runs disagree.
     Nothing,
 }
 
 impl Known {
-    /// The end, if all of it is known.
+    /// Returns the end, if it is completely known.
     #[must_use]
     pub fn whole(&self) -> Option<&Traced> {
         if let Self::Whole(ray) = self { Some(ray) } else { None }
     }
 
-    /// The end, if it is known how the ray ends and on what.
+    /// Returns the end, if the termination status and the object are known.
     #[must_use]
     pub fn end(&self) -> Option<&Traced> {
         if let Self::Whole(ray) | Self::End(ray) = self { Some(ray) } else { None }
     }
 }
 
-/// The true ends of some rays.
+/// The reference solutions of some rays.
 #[derive(Debug, Clone)]
 pub struct Truth(pub Vec<Known>);
 
 impl Truth {
-    /// Of some rays of the scene: the camera's, or given ones.
+    /// Computes the reference solutions of rays of the scene: the camera's, or given ones.
     pub fn new(gpu: &Gpu, scene: &Scene, tolerance: f64, starts: Starts) -> Result<Self, RenderError> {
         let other = double_device(gpu)?;
         let gpu = other.as_ref().unwrap_or(gpu);
@@ -103,32 +103,32 @@ impl Truth {
         Ok(Self(fine.into_iter().zip(loose).map(known).collect()))
     }
 
-    /// How many rays there are.
+    /// Returns the number of rays.
     #[must_use]
     pub fn len(&self) -> usize {
         self.0.len()
     }
 
-    /// Are there none?
+    /// Returns `true` if there are no rays.
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.0.is_empty()
     }
 
-    /// Is the whole end known of any ray?
+    /// Returns `true` if the complete end of any ray is known.
     #[must_use]
     pub fn is_known(&self) -> bool {
         self.0.iter().any(|ray| ray.whole().is_some())
     }
 
-    /// Rays whose whole end is not known.
+    /// Returns the number of rays whose complete end is unknown.
     #[must_use]
     pub fn unresolved(&self) -> usize {
         self.0.iter().filter(|ray| ray.whole().is_none()).count()
     }
 }
 
-/// What two runs tell of a ray, of which `fine` is the more exact one.
+/// Returns the known part of a ray's end from two runs, of which `fine` is more accurate.
 fn known(fine: Traced, loose: &Traced, radius: f64) -> Known {
     let followed = !matches!(fine.status, Status::Alive | Status::Exhausted | Status::Stalled | Status::Failed);
     if !followed || (fine.status, fine.object) != (loose.status, loose.object) {

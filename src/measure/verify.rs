@@ -1,4 +1,4 @@
-//! A picture's error, measured on some of its rays.
+//! The error of an image, measured on some of its rays.
 
 use std::fmt;
 
@@ -7,21 +7,21 @@ use crate::gpu::Gpu;
 use crate::render::{RenderError, RenderSettings, Starts, trace_pixels};
 use crate::scene::Scene;
 
-/// The error of a scene's picture.
+/// The error of a scene's image.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Verification {
-    /// Errors over the rays that were followed again.
+    /// The errors of the rays that were followed again.
     pub found: Deviations,
-    /// The tolerance of the truth.
+    /// The tolerance of the reference solution.
     pub tolerance: f64,
 }
 
-/// Other pixels than those that a calibration tried.
+/// A seed for pixels that differ from those of a calibration.
 const VERIFIED: u64 = 2;
-/// A truth costs little beside a picture: it is never looser than this.
+/// The loosest tolerance of a reference solution, which costs little compared with the image.
 const LOOSEST: f64 = 1e-10;
 
-/// Follows the rays of `count` random pixels (of their first sample) as the picture does, and again in 64 bits.
+/// Follows the rays of `count` random pixels (of their first sample) as the image does, and again in 64 bits.
 pub fn verify(gpu: &Gpu, scene: &Scene, settings: &RenderSettings, count: usize) -> Result<Verification, RenderError> {
     let _stage = gpu.progress.stage("verifying");
     let pixels = scattered(scene.image.size, count, VERIFIED);
@@ -33,7 +33,7 @@ pub fn verify(gpu: &Gpu, scene: &Scene, settings: &RenderSettings, count: usize)
 }
 
 impl Verification {
-    /// As (key, value) for a picture's metadata.
+    /// Returns (key, value) pairs for an image's metadata.
     #[must_use]
     pub fn metadata(&self) -> Vec<(String, String)> {
         let found = &self.found;

@@ -1,4 +1,4 @@
-//! How often a path goes round a point.
+//! The winding number of a path around a point.
 
 use std::f64::consts::TAU;
 
@@ -7,8 +7,8 @@ use glam::{DVec2, DVec3};
 use super::Curve;
 use crate::scene::CutPlane;
 
-/// The angle in turns that a path sweeps about a point, seen in a plane; counter-clockwise on paper counts as positive. A ray
-/// that passes through the point itself turns by half a turn there, to a side that rounding chooses.
+/// Returns the angle, in turns, that a path sweeps around a point in a plane; counterclockwise on paper is positive. A ray through the
+/// point turns by half a turn there, in a direction that depends on rounding.
 #[must_use]
 pub fn windings(curve: &Curve, about: DVec3, plane: &CutPlane) -> f64 {
     let flat = |p: &DVec3| DVec2::from(plane.flat(*p)) - DVec2::from(plane.flat(about));
@@ -34,7 +34,7 @@ mod tests {
         assert!((turns - 399.0 * 0.3 / TAU).abs() < 1e-12, "{turns}");
         let back: Vec<DVec3> = path.into_iter().rev().collect();
         assert!((windings(&Curve::through(&back), about, &plane) + turns).abs() < 1e-12);
-        // A straight line is at most half a turn.
+        // A straight line turns by at most half a turn.
         let line = Curve::through(&[about - DVec3::new(1e9, 1.0, 0.0), about + DVec3::new(1e9, -1.0, 0.0)]);
         assert!((windings(&line, about, &plane) - 0.5).abs() < 1e-8);
     }
