@@ -1,7 +1,7 @@
-//! Parts of a picture, rendered apart, put together: the file that rendering it at once would have written, to the byte.
+//! The merge of separately rendered parts of an image into the file that a single render would have written, byte for byte.
 //!
-//! The parts' windows have to cover the picture. Where they overlap, their bits have to be the same. Both the parts and the
-//! whole are walked from the top, so that the host holds some rows of the whole and a block of each part that crosses them.
+//! The windows of the parts must cover the image, and overlapping windows must have identical bits. The parts and the output are processed
+//! from the top, so that the host stores some rows of the output and one block of each part that crosses them.
 
 use std::path::{Path, PathBuf};
 
@@ -12,12 +12,12 @@ use super::part::Part;
 use super::{FileSettings, ImageWriter, OutputError, has_extension, open};
 use crate::render::{Band, Window};
 
-/// Rows of the whole that are written at once: enough blocks for all cores.
+/// The number of rows written at once: enough blocks for all cores.
 const ROWS: usize = 64;
-/// Every sample is a 32 bit float or an id.
+/// The size of a sample, which is a 32-bit float or an id.
 const SAMPLE_BYTES: usize = 4;
 
-/// Puts the EXRs at `parts` together, as one at each of `outputs`: an EXR, or a PNG as the render of the whole would have written it.
+/// Merges the EXRs at `parts` into each of `outputs`: an EXR, or a PNG as a render of the whole image would have written it.
 pub fn assemble(parts: &[PathBuf], outputs: &[PathBuf]) -> Result<(), OutputError> {
     let mut parts = parts.iter().map(|path| Part::open(path)).collect::<Result<Vec<_>, _>>()?;
     let Some(first) = parts.first() else { return Ok(()) };
@@ -65,10 +65,10 @@ pub fn assemble(parts: &[PathBuf], outputs: &[PathBuf]) -> Result<(), OutputErro
     wholes.into_iter().try_for_each(Whole::finish)
 }
 
-/// A file of the whole picture in the making.
+/// An unfinished file of the whole image.
 enum Whole {
     Exr(Box<ExrWriter>),
-    /// With the places of its colors, and of alpha if it has that, among the parts' channels, and how many of those there are.
+    /// The writer, with the indices of the color channels and of alpha, if present, among the parts' channels, and their number.
     Png(Box<dyn ImageWriter>, Vec<usize>, usize, usize),
 }
 
@@ -109,7 +109,7 @@ impl Whole {
     }
 }
 
-/// Refuses a part that belongs to another picture than the first.
+/// Checks that a part belongs to the same image as the first.
 fn alike(first: &Part, part: &Part) -> Result<(), OutputError> {
     let (whole, own) = (&first.settings, &part.settings);
     let other = first.path.display();
@@ -128,7 +128,7 @@ fn alike(first: &Part, part: &Part) -> Result<(), OutputError> {
     differ(format!("its `{key}` is {this}, and that of {other} {that}; render all parts alike"))
 }
 
-/// A part of the picture that no window covers, if there is one.
+/// Returns a region of the image that no window covers, if there is one.
 fn gap(windows: &[Window], [width, height]: [u32; 2]) -> Option<Window> {
     let mut edges: Vec<u32> = windows.iter().flat_map(|w| [w.origin[1], w.origin[1] + w.size[1]]).collect();
     edges.extend([0, height]);
@@ -151,19 +151,18 @@ fn gap(windows: &[Window], [width, height]: [u32; 2]) -> Option<Window> {
     })
 }
 
-/// A row of the whole in the making.
+/// An unfinished row of the output.
 struct Row {
-    /// For each channel its samples.
+    /// The samples by channel.
     bytes: Vec<u8>,
-    /// For each pixel the part that it came from first.
+    /// The first part that supplied each pixel.
     owners: Vec<Option<usize>>,
-    /// Channels.
+    /// The number of channels.
     samples: usize,
 }
 
 impl Row {
-    /// Puts a part's row in from column `left` on. Where the bits differ from those that another part has put there: that
-    /// part, and the column.
+    /// Writes a part's row from column `left`. If its bits differ from those of another part, returns that part and the column.
     fn put(&mut self, part: usize, left: usize, row: &[u8]) -> Result<(), (usize, usize)> {
         let [width, own] = [self.owners.len(), row.len() / SAMPLE_BYTES / self.samples];
         let mut from = 0;

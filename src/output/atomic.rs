@@ -1,9 +1,9 @@
-//! A file that is written whole or not at all.
+//! Files that are written completely or not at all.
 //!
-//! The bytes go to a temporary file in the target's own folder, which is renamed over the target when it is finished:
-//! whoever reads the target sees the old file or the new one, never a part. Dropped unfinished, the temporary file is
-//! removed and the target is as it was. A process that is interrupted removes what is unfinished by [`abandon_unfinished`]; one that is
-//! killed outright may leave the temporary file, whose name begins with a dot and ends in `.part`. The cost is one buffer of 256 KiB and, at the end, one wait for the disk.
+//! The bytes go to a temporary file in the target's folder, which is renamed to the target when it is finished: readers see the old file or
+//! the new one, never a part. If the writer is dropped before that, the temporary file is removed and the target is unchanged. An
+//! interrupted process removes unfinished files by [`abandon_unfinished`]; a killed one may leave the temporary file, whose name begins
+//! with a dot and ends in `.part`. The cost is a buffer of 256 KiB and one sync to disk at the end.
 
 use std::{
     collections::BTreeMap,
@@ -19,27 +19,27 @@ use super::OutputError;
 
 const BUFFER_BYTES: usize = 1 << 18;
 
-/// Temporary files of this process, each with the path that it is to have.
+/// The temporary files of this process, each with its target path.
 static UNFINISHED: Mutex<BTreeMap<PathBuf, PathBuf>> = Mutex::new(BTreeMap::new());
 
-/// No thread leaves it half changed.
+/// Locks the list; no thread panics in the middle of a change.
 fn unfinished() -> MutexGuard<'static, BTreeMap<PathBuf, PathBuf>> {
     UNFINISHED.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
-/// Removes every file that is not finished, for a process that ends at once. Returns the paths that they were to have; no other file
-/// begins or is finished while the second value is held.
+/// Removes all unfinished files, for a process that exits at once. Returns their target paths; no other file starts or finishes while the
+/// second value is held.
 #[must_use]
 pub fn abandon_unfinished() -> (Vec<PathBuf>, impl Sized) {
     let listed = unfinished();
     for path in listed.keys() {
-        // What cannot be removed stays: there is nobody left to do more.
+        // A file that cannot be removed stays, because the process exits.
         let _ = fs::remove_file(path);
     }
     (listed.values().cloned().collect(), listed)
 }
 
-/// A place in the list of temporary files, for as long as it is held.
+/// An entry in the list of temporary files, which its lifetime limits.
 #[derive(Debug)]
 struct Listed(PathBuf);
 
@@ -49,21 +49,21 @@ impl Drop for Listed {
     }
 }
 
-/// A file in the making; it appears at its path on [`finish`](Self::finish).
+/// An unfinished file, which appears at its path on [`finish`](Self::finish).
 #[derive(Debug)]
 pub struct AtomicFile {
     path: PathBuf,
     target: PathBuf,
     kept_permissions: Option<Permissions>,
     file: BufWriter<NamedTempFile<File>>,
-    /// Behind the file, which is removed while it is listed still.
+    /// The field follows the file, so that the file is removed before its entry.
     listed: Listed,
 }
 
 impl AtomicFile {
-    /// Makes sure that `path` can be written, and begins.
+    /// Creates a file after a check that `path` is writable.
     ///
-    /// A symbolic link is followed, also to where there is no file yet, and a file that is replaced passes on its permissions.
+    /// Symbolic links are followed, even to a missing file, and a replaced file passes on its permissions.
     pub fn create(path: &Path) -> Result<Self, OutputError> {
         let target = destination(path);
         let kept_permissions = replaceable(path)?;
@@ -83,18 +83,18 @@ impl AtomicFile {
         file.finish()
     }
 
-    /// The path that was asked for.
+    /// Returns the requested path.
     #[must_use]
     pub fn path(&self) -> &Path {
         &self.path
     }
 
-    /// The temporary file, for another program to write.
+    /// Returns the temporary file, for another program to write.
     pub(super) fn temporary(&self) -> &Path {
         self.file.get_ref().path()
     }
 
-    /// Puts the file in place of whatever file stood there.
+    /// Moves the file to its path and replaces an existing file.
     pub fn finish(self) -> Result<(), OutputError> {
         let path = self.path;
         let failed = |cause| OutputError::Write { path: path.clone(), cause };
@@ -108,16 +108,16 @@ impl AtomicFile {
         Ok(())
     }
 
-    /// Names the path in an error of writing.
+    /// Creates a write error with the path.
     pub(crate) fn failed(&self, cause: io::Error) -> OutputError {
         OutputError::Write { path: self.path.clone(), cause }
     }
 }
 
-/// The links that one path may lead through, as on Linux.
+/// The largest number of links in one path, as on Linux.
 const LINKS: usize = 40;
 
-/// Returns the path of the file that is written where `path` is: symbolic links are followed, also to where there is no file yet.
+/// Returns the file that is written for `path`: symbolic links are followed, even to a missing file.
 #[must_use]
 pub fn destination(path: &Path) -> PathBuf {
     let mut target = path.to_owned();
@@ -128,7 +128,7 @@ pub fn destination(path: &Path) -> PathBuf {
     fs::canonicalize(&target).unwrap_or(target)
 }
 
-/// The permissions of the file at `path`, if there is one, after a check that it may be replaced.
+/// Returns the permissions of the file at `path`, if it exists, after a check that it may be replaced.
 fn replaceable(path: &Path) -> Result<Option<Permissions>, OutputError> {
     let not_a_file = |what| Err(OutputError::NotAFile { path: path.to_owned(), what });
     let ends_in = path.as_os_str().as_encoded_bytes().last();
@@ -141,19 +141,19 @@ fn replaceable(path: &Path) -> Result<Option<Permissions>, OutputError> {
         Ok(old) if old.permissions().readonly() => Err(OutputError::ReadOnly { path: path.to_owned() }),
         Ok(old) => Ok(Some(old.permissions())),
         Err(_) if destination(path).is_symlink() => not_a_file("a symbolic link to itself"),
-        // Not there, or not to be seen: making the temporary file tells which.
+        // The file is missing or invisible; the creation of the temporary file reports which.
         Err(_) => Ok(None),
     }
 }
 
-/// An empty temporary file in the folder of `target`, with the permissions of any new file.
+/// Creates an empty temporary file in the folder of `target`, with the permissions of a new file.
 fn temporary_beside(target: &Path, path: &Path) -> Result<NamedTempFile, OutputError> {
     let folder = match target.parent() {
         Some(folder) if folder != Path::new("") => folder,
         _ => Path::new("."),
     };
     let name = target.file_name().unwrap_or_default().to_string_lossy();
-    // File names end at 255 bytes on common systems, so a long one lends only its beginning.
+    // File names are limited to 255 bytes on common systems, so only the beginning of a long name is used.
     let prefix: String = [".".into(), name].concat().chars().take(32).collect();
     let mut builder = tempfile::Builder::new();
     builder.prefix(&prefix).suffix(".part");
@@ -184,7 +184,7 @@ impl Seek for AtomicFile {
         self.file.seek(to)
     }
 
-    // `BufWriter` answers this without flushing.
+    // `BufWriter` returns the position without a flush.
     fn stream_position(&mut self) -> io::Result<u64> {
         self.file.stream_position()
     }

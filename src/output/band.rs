@@ -1,4 +1,4 @@
-//! Bands of rows: their layers' channels, and the check that they come whole and in order.
+//! Bands of rows: the channels of their layers, and the check that they are complete and in order.
 
 use std::path::PathBuf;
 
@@ -6,7 +6,7 @@ use super::{FileSettings, OutputError};
 use crate::program::{Layer, LayerKind};
 use crate::render::{Band, Plane};
 
-/// The names of a layer's channels in an EXR file, in component order.
+/// Returns the names of a layer's channels in an EXR file, in component order.
 #[must_use]
 pub const fn channels(layer: Layer) -> &'static [&'static str] {
     match layer {
@@ -26,7 +26,7 @@ pub const fn channels(layer: Layer) -> &'static [&'static str] {
     }
 }
 
-/// The channels of a file, in its order.
+/// Returns the channels of a file in order.
 pub(super) fn channel_names(settings: &FileSettings) -> Vec<&'static str> {
     let own = settings.layers.iter().flat_map(|layer| channels(*layer).iter().copied());
     let mut names: Vec<&str> = ["R", "G", "B"].into_iter().chain(settings.alpha.then_some("A")).chain(own).collect();
@@ -34,7 +34,7 @@ pub(super) fn channel_names(settings: &FileSettings) -> Vec<&'static str> {
     names
 }
 
-/// The bytes of each component, in the machine's byte order.
+/// Returns the bytes of each component, in native byte order.
 pub(super) fn components(plane: &Plane) -> Vec<&[u8]> {
     match plane {
         Plane::Scalar(plane) => vec![bytemuck::cast_slice(plane)],
@@ -52,7 +52,7 @@ fn suits(plane: &Plane, layer: Layer) -> bool {
     kind == layer.kind()
 }
 
-/// What keeps `band` from being the one at row `next` of a picture of `size` with `alpha` and `layers`, if anything.
+/// Returns why `band` is not the one at row `next` of an image of `size` with `alpha` and `layers`, if it is not.
 fn problem(band: &Band, next: u32, [width, height]: [u32; 2], alpha: bool, layers: &[Layer]) -> Option<String> {
     if band.first_row != next {
         return Some(format!("the next row is {next}; write bands in order"));
@@ -81,7 +81,7 @@ fn problem(band: &Band, next: u32, [width, height]: [u32; 2], alpha: bool, layer
     })
 }
 
-/// Keeps count of the rows of a picture, or of the part of one that a file holds.
+/// The count of rows of an image, or of the part that a file stores.
 #[derive(Debug)]
 pub(super) struct Rows {
     pub path: PathBuf,
@@ -96,7 +96,7 @@ impl Rows {
         Self { path, size, alpha, layers, next: 0 }
     }
 
-    /// Counts a band, if it is the next one and has what the picture carries.
+    /// Counts a band, if it is the next one and has the image's planes.
     pub fn accept(&mut self, band: &Band) -> Result<(), OutputError> {
         if let Some(problem) = problem(band, self.next, self.size, self.alpha, &self.layers) {
             return Err(OutputError::Band { path: self.path.clone(), row: band.first_row, problem });
@@ -105,17 +105,17 @@ impl Rows {
         Ok(())
     }
 
-    /// Counts rows that are known to be the next ones.
+    /// Counts rows that are certainly the next ones.
     pub fn count(&mut self, rows: u32) {
         self.next += rows;
     }
 
-    /// Whether the last row has been counted.
+    /// Returns `true` if the last row has been counted.
     pub fn is_complete(&self) -> bool {
         self.next == self.size[1]
     }
 
-    /// Refuses a picture with rows missing.
+    /// Returns an error if rows are missing.
     pub fn complete(&self) -> Result<(), OutputError> {
         if self.is_complete() {
             return Ok(());

@@ -1,8 +1,7 @@
-//! Tables for `bentray trace`: rays come in, results and paths go out.
+//! Tables of `bentray trace`: the input of rays, and the output of results and paths.
 //!
-//! Both are plain CSV by hand: one header line, commas, and no quoting but for text that holds a comma or a quote.
-//! Numbers go out in the shortest form that reads back as the same `f64`. Reading holds the whole file, 100 bytes or
-//! so per ray; writing holds one row.
+//! Both are plain CSV: one header line, commas, and no quotes except for text that contains a comma or a quote. Numbers are written in the
+//! shortest form that parses as the identical `f64`. The reader stores the whole file, about 100 bytes per ray; the writer stores one row.
 
 use std::{
     io::{self, BufWriter, ErrorKind, Stdout, Write},
@@ -13,24 +12,24 @@ use super::{AtomicFile, OutputError};
 use crate::document::{SceneError, given_name, read_given, strict_text};
 use crate::render::{PathPoint, Traced};
 
-/// The columns of a file of rays: a place and a velocity.
+/// The columns of a file of rays: a position and a velocity.
 pub const RAY_COLUMNS: [&str; 6] = ["x", "y", "z", "vx", "vy", "vz"];
 
-/// The length of a velocity whose square is still a number in 32 bits; one that is not longer has no direction.
+/// The length of the smallest velocity whose square is representable in 32 bits; a shorter one has no direction.
 const LEAST_SPEED: f64 = 1e-18;
 
-/// The columns of a file of places.
+/// The columns of a file of positions.
 pub const PLACE_COLUMNS: [&str; 3] = ["x", "y", "z"];
 
-/// Reads a file of rays, each as `[x, y, z, vx, vy, vz]` whatever the order of the columns; the path `-` is standard input.
+/// Reads a file of rays as `[x, y, z, vx, vy, vz]`, in any order of columns; the path `-` is standard input.
 ///
-/// The first line names the columns, which must be exactly those of [`RAY_COLUMNS`]; spaces around fields and empty
-/// lines are passed over. Every number must be finite, and there must be at least one ray. With `aimed` every ray must have a direction:
-/// a velocity longer than 1e-18, whose square is still a number in 32 bits.
+/// The first line lists the columns, which must be exactly those of [`RAY_COLUMNS`]; spaces around fields and empty lines are ignored.
+/// Every number must be finite, and there must be at least one ray. With `aimed`, every ray must have a direction: a velocity longer than
+/// 1e-18, whose square is representable in 32 bits.
 ///
 /// # Errors
 ///
-/// Returns the line and what is wrong with it, or why the file cannot be read.
+/// Returns the line and its problem, or why the file cannot be read.
 pub fn read_rays(path: &Path, aimed: bool) -> Result<Vec<[f64; 6]>, OutputError> {
     let check = |[.., x, y, z]: &[f64; 6]| {
         let is_aimed = !aimed || x.hypot(*y).hypot(*z) > LEAST_SPEED;
@@ -45,12 +44,12 @@ pub fn read_rays(path: &Path, aimed: bool) -> Result<Vec<[f64; 6]>, OutputError>
     read_numbers(path, "rays", &RAY_COLUMNS, check)
 }
 
-/// Reads a file of places, as [`read_rays`] reads rays.
+/// Reads a file of positions, as [`read_rays`] reads rays.
 pub fn read_places(path: &Path) -> Result<Vec<[f64; 3]>, OutputError> {
     read_numbers(path, "places", &PLACE_COLUMNS, |_| Ok(()))
 }
 
-/// `what` is what the rows are, in messages; `check` says what is wrong with one.
+/// Reads rows of numbers; `what` is the name of the rows in messages, and `check` returns the problem of a row.
 fn read_numbers<const N: usize>(
     path: &Path,
     what: &str,
@@ -72,7 +71,7 @@ fn read_numbers<const N: usize>(
     parsed.map_err(|(line, problem)| OutputError::Table { path: name.to_owned(), line, problem })
 }
 
-/// A line, from 1, and what is wrong with it.
+/// A line number, from 1, and its problem.
 type Fault = (usize, String);
 
 fn parse_numbers<const N: usize>(
@@ -94,7 +93,7 @@ fn parse_numbers<const N: usize>(
     Ok(rows)
 }
 
-/// For each column of the file, which of the wanted ones it is.
+/// Returns the index of the wanted column for each column of the file.
 fn column_order(header: &str, what: &str, columns: &[&str]) -> Result<Vec<usize>, String> {
     let expected = columns.join(",");
     let mut order = Vec::new();
@@ -146,33 +145,33 @@ fn parse_row<const N: usize>(row: &str, order: &[usize], columns: &[&str; N]) ->
     Ok(numbers)
 }
 
-/// A path from a light to a place, or that there is none.
+/// A path from a light to a position, or its absence.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct LightRow {
-    /// Which place, in the order of the input.
+    /// The index of the position in the input.
     pub place: usize,
-    /// Which light, in the order of the scene file.
+    /// The index of the light in the scene file.
     pub light: usize,
-    /// Lit by it, in the shadow of something on it, no path at all, or outside of the grid that would know.
+    /// The status: lit, shadowed by an object on the path, without a path, or outside the light grid.
     pub status: &'static str,
-    /// Its unit direction at the light.
+    /// The unit direction at the light.
     pub leaves: Option<[f64; 3]>,
-    /// Its unit direction at the place.
+    /// The unit direction at the position.
     pub arrives: Option<[f64; 3]>,
-    /// The bundle's area at the place, square to it, for each solid angle at the light.
+    /// The perpendicular area of the bundle at the position per solid angle at the light.
     pub spread: Option<f64>,
 }
 
-/// A table that can be written: its header, and a line for each row.
+/// A row of a table, with the header of the table.
 pub trait Row {
-    /// The first line.
+    /// The header line.
     const HEADER: &'static str;
 
-    /// The fields of the row, with commas between them.
+    /// Returns the fields of the row, separated by commas.
     fn line(&self) -> String;
 }
 
-/// A ray by its place in the input, and how it ended; without an object the last field is empty.
+/// A ray by its index in the input, with its end; without an object the last field is empty.
 impl Row for (usize, &Traced) {
     const HEADER: &'static str = "ray,status,x,y,z,vx,vy,vz,tau,depth,steps,rejected,object";
 
@@ -184,7 +183,7 @@ impl Row for (usize, &Traced) {
     }
 }
 
-/// A ray by its place in the input, and a point of its path, counted from 0.
+/// A ray by its index in the input, and a point of its path, counted from 0.
 impl Row for (usize, usize, &PathPoint) {
     const HEADER: &'static str = "ray,index,x,y,z,vx,vy,vz,tau";
 
@@ -205,8 +204,8 @@ impl Row for LightRow {
     }
 }
 
-/// A number in the shortest form that reads back as the same: as an f32 if that is what it is. `{:?}` rather than `{}`, which
-/// would write 1e300 with all its zeros.
+/// Formats a number in the shortest form that parses as the same value, as an f32 if it is one. `{:?}` avoids the zeros that `{}` would
+/// write for 1e300.
 fn number(value: f64) -> String {
     let single = value as f32;
     if f64::from(single).to_bits() == value.to_bits() || value.is_nan() {
@@ -220,7 +219,7 @@ fn numbers([x, y, z]: [f64; 3]) -> String {
     format!("{},{},{}", number(x), number(y), number(z))
 }
 
-/// A table being written to a file, whole or not at all, or to standard output.
+/// A writer of a table to standard output, or to a file that is written completely or not at all.
 #[derive(Debug)]
 pub struct Table {
     sink: Sink,
@@ -230,12 +229,12 @@ pub struct Table {
 enum Sink {
     File(AtomicFile),
     Stdout(BufWriter<Stdout>),
-    /// Standard output whose reader has gone, as `head` does when it has had enough.
+    /// Standard output with a closed reader, such as `head` after its last line.
     Closed,
 }
 
 impl Table {
-    /// Begins a table with the header of `R`; the path `-` is standard output. Once nobody reads that any more, rows go nowhere.
+    /// Starts a table with the header of `R`; the path `-` is standard output. After its reader closes, rows are discarded.
     pub fn create<R: Row>(path: &Path) -> Result<Self, OutputError> {
         let sink = if path == Path::new("-") {
             Sink::Stdout(BufWriter::new(io::stdout()))
@@ -247,12 +246,12 @@ impl Table {
         Ok(table)
     }
 
-    /// Appends a row, which should be of the kind the table was begun with.
+    /// Appends a row, which must be of the type of the header.
     pub fn write<R: Row>(&mut self, row: &R) -> Result<(), OutputError> {
         self.line(&row.line())
     }
 
-    /// Puts the file in place, or flushes standard output.
+    /// Finishes the file, or flushes standard output.
     pub fn finish(self) -> Result<(), OutputError> {
         match self.sink {
             Sink::File(file) => file.finish(),

@@ -1,10 +1,10 @@
-//! What can go wrong on the way out: every message names the path and what to do.
+//! Output errors, whose messages contain the path and a remedy.
 
 use std::{io, path::PathBuf};
 
 use crate::document::brief;
 
-/// What to do about a write that failed, where something can be done.
+/// Returns the remedy for a failed write, if there is one.
 fn remedy(cause: &io::Error) -> &'static str {
     match cause.kind() {
         io::ErrorKind::StorageFull | io::ErrorKind::QuotaExceeded => "; make room on the disk, or write elsewhere",
@@ -13,124 +13,124 @@ fn remedy(cause: &io::Error) -> &'static str {
     }
 }
 
-/// Why something was not written, or a table not read.
+/// An error in writing a file or reading a table.
 #[derive(Debug, thiserror::Error)]
 pub enum OutputError {
-    /// The folder that would hold the file is not there.
+    /// The folder of the file does not exist.
     #[error("{path}: the folder {folder} does not exist; create it, or write elsewhere")]
     MissingFolder {
-        /// The file asked for.
+        /// The requested file.
         path: PathBuf,
-        /// Its folder.
+        /// The folder of the file.
         folder: PathBuf,
     },
-    /// The path is taken by something that is not a file.
+    /// The path is not a regular file.
     #[error("{path}: this is {what}, and only a regular file can be replaced; name another file")]
     NotAFile {
-        /// The file asked for.
+        /// The requested file.
         path: PathBuf,
-        /// What stands there, with its article.
+        /// The type of the existing item, with its article.
         what: &'static str,
     },
-    /// The file is there and marked read-only.
+    /// The file exists and is read-only.
     #[error("{path}: the file is read-only; make it writable, or name another file")]
     ReadOnly {
-        /// The file asked for.
+        /// The requested file.
         path: PathBuf,
     },
-    /// No file can be made in the folder.
+    /// No file can be created in the folder.
     #[error("{path}: cannot create a file in {folder}: {cause}; check the folder's permissions, or write elsewhere")]
     Create {
-        /// The file asked for.
+        /// The requested file.
         path: PathBuf,
-        /// Its folder.
+        /// The folder of the file.
         folder: PathBuf,
-        /// What the system said.
+        /// The error of the operating system.
         cause: io::Error,
     },
-    /// Writing broke off.
+    /// Writing failed.
     #[error("{path}: writing failed: {cause}{} (an older file of this name is untouched)", remedy(cause))]
     Write {
         /// The file being written.
         path: PathBuf,
-        /// What the system said.
+        /// The error of the operating system.
         cause: io::Error,
     },
     /// A table could not be written to standard output.
     #[error("standard output could not be written: {0}")]
     Stdout(io::Error),
-    /// The extension names no format that can be written.
+    /// The extension is not that of a supported image format.
     #[error("{path}: the name must end in .png (colour to look at) or .exr (every plane, exact)")]
     Format {
-        /// The file asked for.
+        /// The requested file.
         path: PathBuf,
     },
-    /// The extension names no format of a plot.
+    /// The extension is not that of a supported plot format.
     #[error("{path}: the name of a plot must end in .svg (shapes, to print) or .png (pixels)")]
     PlotFormat {
-        /// The file asked for.
+        /// The requested file.
         path: PathBuf,
     },
-    /// The settings do not suit the format.
+    /// The settings are invalid for the format.
     #[error("{path}: {problem}")]
     Setting {
-        /// The file asked for.
+        /// The requested file.
         path: PathBuf,
-        /// What is wrong, and what would be right.
+        /// The problem and the remedy.
         problem: String,
     },
-    /// A band is not the next one, or not shaped as promised.
+    /// A band is not the next one, or has the wrong planes.
     #[error("{path}: the band of rows from {row} does not fit: {problem}")]
     Band {
-        /// The picture being written.
+        /// The image being written.
         path: PathBuf,
         /// The first row of the band.
         row: u32,
-        /// What is wrong, and what would be right.
+        /// The problem and the remedy.
         problem: String,
     },
-    /// The picture was finished before its last row.
+    /// The image was finished before its last row.
     #[error("{path}: only {rows} of {height} rows were written; write the rest before finishing (no file was made)")]
     Incomplete {
-        /// The picture being written.
+        /// The image being written.
         path: PathBuf,
-        /// Rows written.
+        /// The number of rows written.
         rows: u32,
-        /// Rows the picture has.
+        /// The number of rows of the image.
         height: u32,
     },
-    /// The encoder refused, for a reason of its own.
+    /// The encoder failed.
     #[error("{path}: the picture could not be encoded: {problem}")]
     Encode {
-        /// The picture being written.
+        /// The image being written.
         path: PathBuf,
-        /// What the encoder said.
+        /// The message of the encoder.
         problem: String,
     },
     /// A file could not be read.
     #[error("{path}: cannot read the file: {cause}; check its name and permissions")]
     Read {
-        /// The file asked for.
+        /// The requested file.
         path: PathBuf,
-        /// What the system said.
+        /// The error of the operating system.
         cause: io::Error,
     },
-    /// A picture is no part of the whole that is to be put together.
+    /// A file is not a part of the image to be merged.
     #[error("{path}: {}", brief(problem))]
     Part {
-        /// The file being read, or the whole where a part of it is missing.
+        /// The file being read, or the output if a part is missing.
         path: PathBuf,
-        /// What is wrong, and what would be right.
+        /// The problem and the remedy.
         problem: String,
     },
-    /// A table does not say what it should.
+    /// A table is invalid.
     #[error("{path}: line {line}: {}", brief(problem))]
     Table {
         /// The file being read.
         path: PathBuf,
-        /// The line, from 1.
+        /// The line number, from 1.
         line: usize,
-        /// The column if it matters, the offending text, and what would be right.
+        /// The column if it matters, the invalid text, and the remedy.
         problem: String,
     },
     /// A plot could not be drawn.
@@ -138,7 +138,7 @@ pub enum OutputError {
     Plot {
         /// The plot being written.
         path: PathBuf,
-        /// What is wrong, and what would be right.
+        /// The problem and the remedy.
         problem: String,
     },
 }

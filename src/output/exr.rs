@@ -1,12 +1,12 @@
-//! Pictures to compute with: every plane bit for bit, in a single-part scanline EXR.
+//! The EXR writer, which stores every plane exactly in a single-part scanline file for further processing.
 //!
-//! Rows are compressed losslessly in blocks of sixteen (ZIP), on all cores, in the order they come. The `exr` crate
-//! owns the loop over blocks in its own writers, so this one lays out the file itself from the crate's public parts:
-//! header, a table of where each block lies (filled in at the end), blocks. Attributes are sorted by name, since the
-//! crate keeps them in a map without an order. Host memory: one band as bytes, and its compressed blocks.
+//! Rows are compressed losslessly in blocks of sixteen (ZIP), on all cores, in order of arrival. The writers of the `exr` crate own the
+//! loop over blocks, so this one composes the file from the crate's public parts: the header, a table of block offsets (filled in at the
+//! end), and the blocks. Attributes are sorted by name, because the crate stores them in an unordered map. Host memory: one band as bytes,
+//! and its compressed blocks.
 //!
-//! Channels: `R`, `G`, `B`, `A` where the picture has alpha (the colors are multiplied by it), and those of
-//! [`channels`](super::band::channels); floats are 32 bit, ids are unsigned integers.
+//! Channels: `R`, `G`, `B`, `A` if the image has alpha (the colors are premultiplied), and those of [`channels`](super::band::channels).
+//! Floats have 32 bits, ids are unsigned integers.
 
 use std::{
     io::{Seek, SeekFrom, Write},
@@ -33,23 +33,23 @@ use super::{AtomicFile, FileSettings, ImageWriter, OutputError};
 use crate::program::{Layer, LayerKind};
 use crate::render::Band;
 
-/// Rows per block of ZIP compression.
+/// The number of rows per block of ZIP compression.
 const BLOCK_ROWS: usize = 16;
 
-/// An EXR being written.
+/// A writer of an EXR.
 pub struct ExrWriter {
     rows: Rows,
     header: Header,
     file: AtomicFile,
     table_at: u64,
-    /// Where each block written so far lies in the file.
+    /// The offset of each written block in the file.
     offsets: Vec<u64>,
-    /// Rows not yet in a block: for each row, for each channel by name, its samples.
+    /// The rows not yet in a block: samples by row and by channel name.
     pending: Vec<u8>,
 }
 
 impl ExrWriter {
-    /// Begins an EXR at `path`; exposure, tone map and bits are not used.
+    /// Starts an EXR at `path`; exposure, tone map and bit depth are not used.
     pub fn create(path: &Path, settings: &FileSettings) -> Result<Self, OutputError> {
         let layers = sorted_layers(settings);
         let rows = Rows::new(path.to_owned(), settings.window.size, settings.alpha, layers);
@@ -63,7 +63,7 @@ impl ExrWriter {
         row_bytes(&self.header)
     }
 
-    /// Appends whole rows as they lie in a block: for each row, for each channel by name, its samples.
+    /// Appends whole rows in the layout of a block: samples by row and by channel name.
     pub(super) fn write_rows(&mut self, bytes: &[u8]) -> Result<(), OutputError> {
         self.rows.count((bytes.len() / self.row_bytes()) as u32);
         self.pending.extend(bytes);
@@ -90,7 +90,7 @@ impl ExrWriter {
         }
     }
 
-    /// Compresses and writes the pending blocks that are whole, or all of them at the end.
+    /// Compresses and writes the complete pending blocks, or all of them at the end.
     fn write_blocks(&mut self) -> Result<(), ExrError> {
         let block_bytes = BLOCK_ROWS * self.row_bytes();
         let ready =
@@ -124,12 +124,12 @@ impl ImageWriter for ExrWriter {
     }
 }
 
-/// Bytes of a row: every sample is of four.
+/// Returns the number of bytes of a row; every sample has four.
 pub(super) fn row_bytes(header: &Header) -> usize {
     header.layer_size.0 * header.channels.bytes_per_pixel
 }
 
-/// Compresses rows of whole blocks, the first of which is block `first` of the picture, on all cores.
+/// Compresses rows of complete blocks on all cores; the first is block `first` of the image.
 fn compress_all(header: &Header, first: usize, bytes: &[u8]) -> Result<Vec<Chunk>, ExrError> {
     let row_bytes = row_bytes(header);
     let blocks: Vec<(usize, &[u8])> = (first..).zip(bytes.chunks(BLOCK_ROWS * row_bytes)).collect();
@@ -150,7 +150,7 @@ fn compress(header: &Header, index: usize, rows: usize, data: &[u8]) -> Result<C
     block.compress_to_chunk(std::slice::from_ref(header))
 }
 
-/// The header of a file that holds what the settings say.
+/// Returns the header of a file with these settings.
 pub(super) fn header(settings: &FileSettings) -> Header {
     let size = |[width, height]: [u32; 2]| Vec2(width as usize, height as usize);
     let mut names: Vec<(&str, SampleType)> = ["R", "G", "B"].map(|c| (c, SampleType::F32)).into();
@@ -181,12 +181,12 @@ fn sorted_layers(settings: &FileSettings) -> Vec<Layer> {
     layers
 }
 
-/// EXR text is UTF-8, which the crate's own constructor would turn into Latin-1.
+/// Returns EXR text in UTF-8; the crate's constructor would convert it to Latin-1.
 fn utf8(text: &str) -> Text {
     Text::from_slice_unchecked(text.as_bytes())
 }
 
-/// Writes what stands before the blocks, and says where the table of blocks is, which is left empty.
+/// Writes the data before the blocks, and returns the offset of the block table, which stays empty.
 fn write_head(header: &Header, file: &mut AtomicFile) -> Result<u64, ExrError> {
     let requirements = MetaData::validate(std::slice::from_ref(header), true)?;
     magic_number::write(file)?;

@@ -1,13 +1,10 @@
-//! What leaves the program: pictures, tables and plots.
+//! The output of the program: images, tables and plots.
 //!
-//! Every file is written whole or not at all ([`AtomicFile`]), and can be opened before the work whose result it
-//! will hold, so that a path that cannot be written is found first. Pictures are fed in bands of full-width rows, from
-//! the top down ([`open`], [`ImageWriter`]): a writer holds one band of its own and a compressed tail, so that the
-//! memory grows with the band and not with the picture. A PNG holds color as it is to be looked at ([`png`]); an
-//! EXR holds every plane bit for bit ([`exr`]), also of a part of a picture, and parts are put
-//! together again ([`assemble()`]). Rays and results are CSV ([`csv`]), plots are SVG or PNG ([`plot`]), and a
-//! page of HTML shows them beside their tables ([`report`]).
-//! The same input gives the same bytes.
+//! Every file is written completely or not at all ([`AtomicFile`]), and can be created before the computation of its contents, so that an
+//! unwritable path is reported first. Image writers ([`open`], [`ImageWriter`]) receive bands of full-width rows from the top. They store
+//! one band and a compressed tail, so that memory grows with the band and not with the image. A PNG stores display colors ([`png`]); an EXR
+//! stores every plane exactly ([`exr`]), also of a part of an image, and [`assemble()`] merges parts. Rays and results are CSV ([`csv`]),
+//! plots are SVG or PNG ([`plot`]), and a page of HTML shows them next to their tables ([`report`]). Identical input gives identical bytes.
 
 pub mod assemble;
 pub mod atomic;
@@ -40,30 +37,30 @@ use crate::program::Layer;
 use crate::render::{Band, Rendering, Window};
 use crate::scene::{Scene, Tonemap};
 
-/// How a picture is to be written.
+/// The settings of an image file.
 #[derive(Debug, Clone, PartialEq)]
 pub struct FileSettings {
-    /// Width and height of the whole picture in pixels, neither zero.
+    /// The width and height of the whole image in pixels, neither zero.
     pub size: [u32; 2],
-    /// The part of it that the file holds: a PNG forgets where that was, an EXR has it as its data window.
+    /// The part in the file: a PNG does not store its position, an EXR stores it as the data window.
     pub window: Window,
-    /// Stops of light: colors are multiplied by two to this power (PNG only).
+    /// The exposure in stops: colors are multiplied by two to this power (PNG only).
     pub exposure: f64,
-    /// How bright colors are brought into range (PNG only).
+    /// The tone map, which brings bright colors into range (PNG only).
     pub tonemap: Tonemap,
-    /// Bits per channel, 8 or 16 (PNG only).
+    /// The bits per channel, 8 or 16 (PNG only).
     pub bits: u8,
-    /// Does the picture carry alpha?
+    /// Is `true` if the image has alpha.
     pub alpha: bool,
-    /// The planes to write besides color (EXR only).
+    /// The planes in addition to color (EXR only).
     pub layers: Vec<Layer>,
-    /// Pairs of key and text stored in the file: PNG text chunks, EXR text attributes.
-    /// Keys are 1 to 79 printable ASCII characters, each used once; text is any UTF-8 without NUL.
+    /// Pairs of key and text stored in the file: PNG text chunks, EXR text attributes. Keys are 1 to 79 printable ASCII characters, each
+    /// used once; text is any UTF-8 without NUL.
     pub metadata: Vec<(String, String)>,
 }
 
 impl FileSettings {
-    /// Eight bits of plain color: no exposure, tone map, alpha, layers or metadata.
+    /// Creates settings for 8-bit color without exposure, tone map, alpha, layers or metadata.
     #[must_use]
     pub fn new(size: [u32; 2]) -> Self {
         Self {
@@ -78,13 +75,13 @@ impl FileSettings {
         }
     }
 
-    /// What the file says of itself under a key.
+    /// Returns the metadata of the file under a key.
     #[must_use]
     pub fn said(&self, key: &str) -> Option<&str> {
         self.metadata.iter().find_map(|(own, text)| (own == key).then_some(text.as_str()))
     }
 
-    /// What is wrong with these settings whatever the format, if anything.
+    /// Returns the problem of these settings for any format, if there is one.
     fn problem(&self) -> Option<String> {
         let [width, height] = self.size;
         let side = 1..=i32::MAX as u32;
@@ -114,18 +111,18 @@ impl FileSettings {
     }
 }
 
-/// A picture being written, fed with bands from the top down.
+/// A writer of an image, which receives bands from the top down.
 ///
-/// A writer dropped before [`finish`](Self::finish) leaves whatever stood at its path untouched.
+/// A writer dropped before [`finish`](Self::finish) leaves an existing file unchanged.
 pub trait ImageWriter: Send {
     /// Appends a band, which must begin at the row after the last one written.
     fn write_band(&mut self, band: &Band) -> Result<(), OutputError>;
 
-    /// Completes the file and puts it in place; refused while rows are missing.
+    /// Completes the file and moves it to its path; returns an error if rows are missing.
     fn finish(self: Box<Self>) -> Result<(), OutputError>;
 }
 
-/// Writes a whole rendering of `scene` to `path`, as a scene file's `render` would, with the layers that it kept.
+/// Writes a whole rendering of `scene` to `path`, with its stored layers, as the `render` of a scene file would.
 pub fn save(path: &Path, scene: &Scene, rendering: &Rendering) -> Result<(), OutputError> {
     let settings = FileSettings {
         exposure: scene.output.exposure,
@@ -140,12 +137,12 @@ pub fn save(path: &Path, scene: &Scene, rendering: &Rendering) -> Result<(), Out
     writer.finish()
 }
 
-/// Does a file's name end so, in any case of letters?
+/// Returns `true` if a file has this extension, ignoring case.
 pub(crate) fn has_extension(path: &Path, name: &str) -> bool {
     path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case(name))
 }
 
-/// Starts a picture at `path`, in the format its extension names: `.png` or `.exr`.
+/// Starts an image at `path` in the format of its extension: `.png` or `.exr`.
 pub fn open(path: &Path, settings: &FileSettings) -> Result<Box<dyn ImageWriter>, OutputError> {
     let extension = path.extension().map(|e| e.to_string_lossy().to_ascii_lowercase());
     let setting = |problem| OutputError::Setting { path: path.to_owned(), problem };

@@ -1,8 +1,8 @@
-//! What made a picture: what its file says of that, and in what two of them differ.
+//! The origin of an image, as stored in its file, and the comparison of two origins.
 //!
-//! *Idea.* Pictures are put together, gone on with or taken for finished only if the same made them: the scene with its files, the method
-//! with all of its numbers, the device and the version. The scene is in the file twice: as a hash of everything, and line by line, so that
-//! what differs can be named by its key. Scenes of more lines than [`LISTED`] bytes have the hash alone.
+//! *Idea.* Images are merged, resumed or accepted as finished only if their origins agree: the scene with its files, the method with all of
+//! its numbers, the device and the version. The file contains the scene twice: as a hash of everything, and line by line, so that a message
+//! can show the key that differs. If the lines exceed [`LISTED`] bytes, only the hash is stored.
 
 use std::collections::BTreeMap;
 use std::fmt;
@@ -11,40 +11,40 @@ use super::FileSettings;
 use crate::render::Window;
 use crate::scene::Tonemap;
 
-/// How the rays were followed, as [`Rays::followed`](crate::scene::Rays::followed) has it.
+/// The key of the ray settings, from [`Rays::followed`](crate::scene::Rays::followed).
 pub const FOLLOWED: &str = "rays";
-/// Whether its program kept all that a search for a method compares, `true` or `false`: on some devices another program rounds otherwise,
-/// which makes no other picture of it.
+/// The key that is `true` if the program stored all data that a search for a method compares, and otherwise `false`: on some devices
+/// rounding depends on the program, but the image counts as the same.
 pub const COMPARED: &str = "compared";
-/// A hash of the scene and its files.
+/// The key of a hash of the scene and its files.
 pub const SCENE: &str = "scene";
-/// The scene's values, `key = value` a line.
+/// The key of the scene's values, one line `key = value` each.
 pub const LINES: &str = "scene lines";
-/// Samples of a pixel.
+/// The key of the samples per pixel.
 pub const SAMPLES: &str = "samples";
-/// What rendered it.
+/// The key of the device and the version.
 pub const DEVICE: &str = "device";
-/// How it is to be shown: exposure, tone map and bits.
+/// The key of the display settings: exposure, tone map and bit depth.
 pub(super) const SHOWN: &str = "shown";
-/// The part of the picture, and the whole's size, for files that have no other place for it.
+/// The key of the part and the whole's size, for formats that do not store them otherwise.
 pub(super) const PART: &str = "part";
 
-/// Bytes of a scene's lines, at most.
+/// The largest size of a scene's lines, in bytes.
 pub const LISTED: usize = 1 << 16;
-/// Characters of a value that are shown.
+/// The number of characters shown of a value.
 const WIDTH: usize = 60;
 
-/// The first thing that two pictures say differently.
+/// The first difference of two origins.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Difference {
-    /// A key of the scene, or of what a picture says of itself.
+    /// A key of the scene or of an image's metadata.
     pub key: String,
-    /// What each says; none where it says nothing.
+    /// The values of both; `None` for a missing value.
     pub values: [Option<String>; 2],
 }
 
 impl Difference {
-    /// What one of the two says.
+    /// Returns one of the two values as text.
     #[must_use]
     pub fn value(&self, which: usize) -> String {
         let Some(value) = &self.values[which] else { return "nothing".to_owned() };
@@ -54,19 +54,19 @@ impl Difference {
 }
 
 impl fmt::Display for Difference {
-    /// Of a picture and what is wanted.
+    /// Writes the difference between an image and the request.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "its `{}` is {}, not {}", self.key, self.value(0), self.value(1))
     }
 }
 
-/// What is in the file of the settings that a format has no place of its own for.
+/// Returns the display settings for a format without separate fields for them.
 pub(super) fn shown_words(settings: &FileSettings) -> String {
     let name = Tonemap::NAMES.iter().find(|(_, tonemap)| *tonemap == settings.tonemap).map_or("", |(name, _)| name);
     format!("exposure {} tonemap {name} bits {}", settings.exposure, settings.bits)
 }
 
-/// The settings with what [`shown_words`] says.
+/// Returns the settings with the text of [`shown_words`].
 pub(super) fn with_shown(settings: FileSettings, text: &str) -> Option<FileSettings> {
     let ["exposure", exposure, "tonemap", tonemap, "bits", bits] = text.split(' ').collect::<Vec<_>>()[..] else {
         return None;
@@ -75,20 +75,20 @@ pub(super) fn with_shown(settings: FileSettings, text: &str) -> Option<FileSetti
     Some(FileSettings { exposure: exposure.parse().ok()?, tonemap, bits: bits.parse().ok()?, ..settings })
 }
 
-/// The part that a file holds, and the whole's size.
+/// Returns the part in a file, and the whole's size.
 pub(super) fn part_words(settings: &FileSettings) -> String {
     let [width, height] = settings.size;
     format!("{} of {width}x{height}", settings.window)
 }
 
-/// The settings with what [`part_words`] says.
+/// Returns the settings with the text of [`part_words`].
 pub(super) fn with_part(settings: FileSettings, text: &str) -> Option<FileSettings> {
     let numbers: Vec<u32> = text.split([',', 'x', ' ']).filter_map(|word| word.parse().ok()).collect();
     let [x, y, w, h, width, height] = numbers[..] else { return None };
     Some(FileSettings { size: [width, height], window: Window { origin: [x, y], size: [w, h] }, ..settings })
 }
 
-/// In what two files differ, if they are not of one picture in the same part and form.
+/// Returns the difference of two files, if they do not store one part of one image in one format.
 #[must_use]
 pub fn file_difference(own: &FileSettings, wanted: &FileSettings) -> Option<String> {
     let words = |what: &str, of: fn(&FileSettings) -> String| {
@@ -105,7 +105,7 @@ pub fn file_difference(own: &FileSettings, wanted: &FileSettings) -> Option<Stri
         .or_else(|| words(SHOWN, shown_words))
 }
 
-/// What two pictures say differently, but for these keys; none where they are alike.
+/// Returns the first difference of two origins except for these keys, or `None` if they agree.
 #[must_use]
 pub fn difference(pictures: [&[(String, String)]; 2], but: &[&str]) -> Option<Difference> {
     let said = pictures.map(|said| said.iter().map(|(key, text)| (key.as_str(), text.as_str())).collect());

@@ -1,7 +1,7 @@
-//! A part of a picture, read back from an EXR that [`exr`](super::exr) wrote, row by row from the top.
+//! A reader of an image part from an EXR that [`exr`](super::exr) wrote, row by row from the top.
 //!
-//! The file is open from its first row to its last only, so that a picture may have more parts than a process may have files.
-//! Host memory: one block of sixteen rows.
+//! The file is open from its first row to its last only, so that an image may have more parts than a process may open files. Host memory:
+//! one block of sixteen rows.
 
 use std::{
     fs::File,
@@ -32,28 +32,28 @@ use crate::render::Window;
 
 type Blocks = SequentialBlockDecompressor<AllChunksReader<BufReader<File>>>;
 
-/// An EXR that holds a part of a picture, or all of it.
+/// An EXR with a part of an image, or all of it.
 pub struct Part {
     pub path: PathBuf,
-    /// What it would be written with.
+    /// The settings with which it was written.
     pub settings: FileSettings,
-    /// Bytes of one of its rows.
+    /// The number of bytes of one of its rows.
     pub row_bytes: usize,
     reading: Option<Reading>,
 }
 
-/// A file that is being read.
+/// An open file.
 struct Reading {
     blocks: Blocks,
-    /// Rows of the current block, and how many bytes of them are used up.
+    /// The rows of the current block; `used` bytes have been read.
     data: Vec<u8>,
     used: usize,
-    /// The first row of the next block, from the part's top.
+    /// The first row of the next block, from the top of the part.
     next: usize,
 }
 
 impl Part {
-    /// Reads what the file says of itself.
+    /// Opens a file and reads its metadata.
     pub fn open(path: &Path) -> Result<Self, OutputError> {
         let wrong = |problem: String| OutputError::Part { path: path.to_owned(), problem };
         let reader = reader(path)?;
@@ -79,7 +79,7 @@ impl Part {
         Ok(Self { path: path.to_owned(), settings, row_bytes: row_bytes(header), reading: None })
     }
 
-    /// The next row: for each channel by name, its samples.
+    /// Returns the next row: its samples by channel name.
     pub fn next_row(&mut self) -> Result<&[u8], OutputError> {
         let path = &self.path;
         if self.reading.is_none() {
@@ -103,13 +103,13 @@ impl Part {
         Ok(&reading.data[start..reading.used])
     }
 
-    /// Closes the file, all of whose rows have been read.
+    /// Closes the file after all rows have been read.
     pub fn close(&mut self) {
         self.reading = None;
     }
 }
 
-/// What the EXR at `path` says of itself under `key`.
+/// Returns the metadata of the EXR at `path` under `key`.
 pub fn said_by_exr(path: &Path, key: &str) -> Result<Option<String>, OutputError> {
     let reader = reader(path)?;
     Ok(reader.headers().iter().find_map(|header| match header.own_attributes.other.get(key.as_bytes()) {
@@ -123,7 +123,7 @@ fn reader(path: &Path) -> Result<block::reader::Reader<BufReader<File>>, OutputE
     block::read(BufReader::new(file), false).map_err(|error| failed(path, error))
 }
 
-/// The settings that a file like this is written with; none where it is none of ours.
+/// Returns the settings with which a file was written, or `None` if this program did not write it.
 fn settings(header: &Header) -> Option<FileSettings> {
     let IntegerBounds { position, size } = header.shared_attributes.display_window;
     let at = header.own_attributes.layer_position;

@@ -1,4 +1,4 @@
-//! Animated PNG: nothing is lost, and files are large.
+//! The animated PNG format, which is lossless and produces large files.
 
 use png::{BitDepth, ColorType, Encoder, SrgbRenderingIntent};
 
@@ -6,7 +6,7 @@ use super::Frames;
 use crate::output::png::encode_error;
 use crate::output::{AtomicFile, OutputError};
 
-/// A second in the parts that a frame's time is counted in, where the rate is no whole number.
+/// The parts of a second that count a frame's duration if the rate is not an integer.
 const PARTS: f64 = 1000.0;
 
 pub(super) fn write(file: &mut AtomicFile, frames: &mut Frames, _: &'static str) -> Result<(), OutputError> {
@@ -26,7 +26,7 @@ pub(super) fn write(file: &mut AtomicFile, frames: &mut Frames, _: &'static str)
     writer.finish().map_err(failed)
 }
 
-/// A frame's time in seconds, as a fraction.
+/// Returns the duration of a frame in seconds, as a fraction.
 fn delay(rate: f64) -> (u16, u16) {
     if rate.fract() == 0.0 && rate <= f64::from(u16::MAX) {
         return (1, rate as u16);

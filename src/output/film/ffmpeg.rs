@@ -1,8 +1,9 @@
-//! Video, by `ffmpeg`: H.264 in an MP4, VP9 in a `WebM`.
+//! Video encoding by `ffmpeg`: H.264 in an MP4, VP9 in a `WebM`.
 //!
-//! *Practice.* It reads raw pixels from a pipe and writes the temporary file. The number of threads is given, because encoders cut pictures by
-//! it: the same frames make the same file on any machine that has the same `ffmpeg`. Colours are those of BT.709, as players expect of
-//! video without a note, and the note is there as well. H.264 wants even sides, so that an odd one gets one more row or column of black.
+//! *Practice.* `ffmpeg` reads raw pixels from a pipe and writes the temporary file. The number of threads is fixed, because encoders split
+//! images by it: one set of frames gives one file on every machine with the same `ffmpeg` version. Colors are BT.709, which players expect
+//! of video without color metadata, and the metadata is also written. H.264 requires even sides, so that an odd side gets one more black
+//! row or column.
 
 use std::io::{ErrorKind, Write};
 use std::process::{Child, Command, Stdio};
@@ -11,7 +12,7 @@ use super::{Frames, before_black};
 use crate::output::{AtomicFile, OutputError};
 
 const PROGRAM: &str = "ffmpeg";
-/// What is said for each container.
+/// The arguments for each container.
 const CODECS: [(&str, &[&str]); 2] = [
     ("mp4", &["-c:v", "libx264", "-preset", "medium", "-crf", "16", "-movflags", "+faststart"]),
     ("webm", &["-c:v", "libvpx-vp9", "-b:v", "0", "-crf", "24", "-row-mt", "0"]),
@@ -35,7 +36,7 @@ pub(super) fn write(file: &mut AtomicFile, frames: &mut Frames, container: &'sta
         let Some(pipe) = &mut input else { break };
         let pixels: Vec<u8> = picture.pixels().flat_map(|pixel| before_black(*pixel)).collect();
         match pipe.write_all(&pixels) {
-            // It says itself why it reads no more.
+            // The program reports why it stops reading.
             Err(error) if error.kind() == ErrorKind::BrokenPipe => break,
             other => other.map_err(|error| failed(error.to_string()))?,
         }

@@ -1,7 +1,7 @@
-//! GIF: 256 colors a frame, for small films on any page.
+//! The GIF format with 256 colors per frame, for small animations on any page.
 //!
-//! Its clock ticks every hundredth of a second. Each frame is shown from the tick nearest to its time to the next one's, so that the film
-//! is as long as it should be.
+//! The GIF clock has ticks of a hundredth of a second. Each frame is shown from the tick nearest to its time until the next one's, so that
+//! the total duration is correct.
 
 use ::image::codecs::gif::{GifEncoder, Repeat};
 use ::image::{Delay, Frame, ImageError};
@@ -9,11 +9,11 @@ use ::image::{Delay, Frame, ImageError};
 use super::{Frames, before_black};
 use crate::output::{AtomicFile, OutputError};
 
-/// It has transparent pixels, but none that are so in part.
+/// The treatment of partially transparent pixels, which the format does not support.
 pub(super) const ALPHA: Option<&str> = Some("what is transparent in part is put before black");
-/// Ticks of a second.
+/// The number of ticks per second.
 const TICKS: f64 = 100.0;
-/// How many pixels are looked at for the 256 colors: of 1 to 30, where 1 is all.
+/// The sampling of pixels for the 256 colors, from 1 (all) to 30.
 const SPEED: i32 = 10;
 
 pub(super) fn write(file: &mut AtomicFile, frames: &mut Frames, _: &'static str) -> Result<(), OutputError> {

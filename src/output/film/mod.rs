@@ -1,10 +1,10 @@
-//! Films: pictures one after the other, in one file.
+//! Videos: sequences of images in one file.
 //!
-//! *Idea.* Frames are files first, so that a film goes on where it was stopped and its frames are there to look at; a film is made of them
-//! in the end, which takes far less time. Every format has a file here, and they are listed in [`KINDS`].
+//! *Idea.* Frames are files first, so that a video can be resumed and its frames can be viewed. The video is encoded from them at the end,
+//! which takes far less time. Every format has a file here, and [`KINDS`] lists them.
 //!
-//! *Practice.* One frame is held at a time, as eight bits of sRGB. GIF and animated PNG are written by this program; video by `ffmpeg`, where
-//! it is installed.
+//! *Practice.* One frame is in memory at a time, as 8-bit sRGB. This program writes GIF and animated PNG; `ffmpeg` encodes video, if it is
+//! installed.
 
 mod apng;
 mod ffmpeg;
@@ -18,23 +18,23 @@ use super::color::{linear_from_srgb, srgb_from_linear};
 use super::{AtomicFile, OutputError};
 use crate::progress::{Progress, Stage};
 
-/// A format of films.
+/// A video format.
 struct Kind {
-    /// Of its files' names, in small letters.
+    /// The file extension, in lower case.
     extension: &'static str,
-    /// Why it cannot be written here, if it cannot.
+    /// Returns why the format is unavailable here, if it is.
     problem: fn() -> Option<&'static str>,
-    /// Pixels along a side, at most.
+    /// The largest number of pixels along a side.
     side: u32,
-    /// What becomes of transparent pixels, if the format does not keep alpha.
+    /// The treatment of transparent pixels, if the format has no alpha.
     alpha: Option<&'static str>,
     write: fn(&mut AtomicFile, &mut Frames, &'static str) -> Result<(), OutputError>,
 }
 
-/// Of video.
+/// The treatment of transparent pixels by video.
 const BLACK: Option<&str> = Some("it is put before black");
 
-/// All of them.
+/// All formats.
 const KINDS: [Kind; 5] = [
     Kind { extension: "mp4", problem: ffmpeg::problem, side: 16_384, alpha: BLACK, write: ffmpeg::write },
     Kind { extension: "webm", problem: ffmpeg::problem, side: 65_535, alpha: BLACK, write: ffmpeg::write },
@@ -48,31 +48,31 @@ fn kind(path: &Path) -> Option<&'static Kind> {
     KINDS.iter().find(|kind| kind.extension == extension)
 }
 
-/// Can a film have this name? A PNG that holds many pictures is a film too.
+/// Returns `true` if a video can have this name. A PNG with several images is also a video.
 #[must_use]
 pub fn is_film(path: &Path) -> bool {
     kind(path).is_some()
 }
 
-/// Returns what becomes of transparent pixels in a film of this name; `None` if it keeps their alpha.
+/// Returns the treatment of transparent pixels in a video of this name; `None` if it stores alpha.
 #[must_use]
 pub fn alpha_in_film(path: &Path) -> Option<&'static str> {
     kind(path)?.alpha
 }
 
-/// Returns `true` if a picture's header says that it has alpha.
+/// Returns `true` if an image's header declares alpha.
 fn has_alpha(path: &Path) -> bool {
     let decoder = ::image::ImageReader::open(path).ok().and_then(|reader| reader.into_decoder().ok());
     decoder.is_some_and(|decoder| decoder.color_type().has_alpha())
 }
 
-/// Returns what becomes of transparent pixels in a film of these pictures; `None` if it keeps their alpha, or they have none.
+/// Returns the treatment of transparent pixels in a video of these images; `None` if it stores alpha, or they have none.
 #[must_use]
 pub fn lost_alpha(path: &Path, frames: &[PathBuf]) -> Option<&'static str> {
     alpha_in_film(path).filter(|_| frames.iter().any(|frame| has_alpha(frame)))
 }
 
-/// Returns a pixel put before black: the light that it has. Its color is not multiplied by alpha yet.
+/// Returns a pixel composited over black. Its color is not premultiplied.
 fn before_black(pixel: Rgba<u8>) -> [u8; 3] {
     let [r, g, b, alpha] = pixel.0;
     let covered = f64::from(alpha) / 255.0;
@@ -80,7 +80,7 @@ fn before_black(pixel: Rgba<u8>) -> [u8; 3] {
     if alpha == u8::MAX { [r, g, b] } else { [r, g, b].map(shown) }
 }
 
-/// Refuses a film of pictures of this size that could not be written here.
+/// Checks that a video of images of this size can be written here.
 pub fn check_film(path: &Path, size: [u32; 2]) -> Result<(), OutputError> {
     let setting = |problem: &str| OutputError::Setting { path: path.to_owned(), problem: problem.to_owned() };
     let kind = kind(path).ok_or_else(|| setting("the name of a film must end in .mp4, .webm, .gif, .png or .apng"))?;
@@ -98,7 +98,7 @@ pub fn check_film(path: &Path, size: [u32; 2]) -> Result<(), OutputError> {
     }
 }
 
-/// Makes a film of pictures, which are all of one size, so many a second; the frames are reported to `progress`.
+/// Encodes a video from images of one size at this rate per second; reports the frames to `progress`.
 pub fn film(path: &Path, frames: &[PathBuf], rate: f64, progress: &Progress) -> Result<(), OutputError> {
     let name = path.file_name().unwrap_or_default().to_string_lossy();
     let stage = progress.counted(format!("encoding {name}: frame"), frames.len());
@@ -111,15 +111,15 @@ pub fn film(path: &Path, frames: &[PathBuf], rate: f64, progress: &Progress) -> 
     file.finish()
 }
 
-/// The pictures of a film, read one after the other.
+/// The images of a video, read in sequence.
 struct Frames<'a> {
     paths: &'a [PathBuf],
     next: usize,
-    /// Of the first, and so of all.
+    /// The size of the first image, which all must have.
     size: [u32; 2],
-    /// A second's.
+    /// The number of frames per second.
     rate: f64,
-    /// Where frames are reported.
+    /// The stage that reports frames.
     stage: Stage,
 }
 
@@ -139,7 +139,7 @@ impl<'a> Frames<'a> {
         self.paths.len()
     }
 
-    /// The next picture; none after the last.
+    /// Reads the next image, or returns `None` after the last.
     fn next(&mut self) -> Result<Option<RgbaImage>, OutputError> {
         self.stage.reach(self.next as f64);
         let Some(path) = self.paths.get(self.next) else { return Ok(None) };
