@@ -22,7 +22,7 @@ pub const SCENE: &str = "scene";
 pub const LINES: &str = "scene lines";
 /// The key of the samples per pixel.
 pub const SAMPLES: &str = "samples";
-/// The key of the device and the version.
+/// The key of the device.
 pub const DEVICE: &str = "device";
 /// The key of the display settings: exposure, tone map and bit depth.
 pub(super) const SHOWN: &str = "shown";

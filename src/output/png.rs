@@ -1,8 +1,8 @@
-//! Pictures to look at: 8 or 16 bit sRGB, written row by row.
+//! The PNG writer, which stores 8 or 16-bit sRGB for display, row by row.
 //!
-//! The encoder is handed a channel for its output, from which the bytes are moved to the file after every band: so an
-//! error of the disk is always met where it can be reported, also for the encoder's last bytes, which it writes when
-//! it is dropped. Host memory: the rows of one band as integers, plus their compressed bytes.
+//! The encoder writes to a channel, from which the bytes are moved to the file after every band. A disk error is therefore always found
+//! where it can be reported, also for the encoder's last bytes, which it writes when it is dropped. Host memory: the rows of one band as
+//! integers, plus their compressed bytes.
 
 use std::{
     collections::BTreeMap,
@@ -20,10 +20,10 @@ use super::{AtomicFile, FileSettings, ImageWriter, OutputError, band::Rows};
 use crate::render::Band;
 use crate::scene::Tonemap;
 
-/// Exposures beyond this many stops turn every `f32` black or white.
+/// The exposure in stops beyond which every `f32` is black or white.
 const MAX_STOPS: f64 = 300.0;
 
-/// A PNG being written.
+/// A writer of a PNG.
 pub struct PngWriter {
     rows: Rows,
     shown: Shown,
@@ -32,12 +32,12 @@ pub struct PngWriter {
     file: AtomicFile,
 }
 
-/// How colors become bytes.
+/// The conversion of colors to bytes.
 struct Shown {
     gain: f64,
     tonemap: Tonemap,
     alpha: bool,
-    /// For one byte a value; none for two.
+    /// The table for one byte per value; `None` for two.
     bytes: Option<&'static SrgbBytes>,
 }
 
@@ -56,7 +56,7 @@ impl Write for Outbox {
 }
 
 impl PngWriter {
-    /// Begins a PNG at `path`; layers are refused, since it has no place for them.
+    /// Starts a PNG at `path`; returns an error for layers, which the format cannot store.
     pub fn create(path: &Path, settings: &FileSettings) -> Result<Self, OutputError> {
         if let Some(problem) = problem(settings) {
             return Err(OutputError::Setting { path: path.to_owned(), problem });
@@ -80,12 +80,12 @@ impl PngWriter {
 }
 
 impl Shown {
-    /// The bytes of one row of a band, from pixel `start` of its planes.
+    /// Returns the bytes of one row of a band, from pixel `start` of its planes.
     fn row_bytes(&self, band: &Band, start: usize) -> Vec<u8> {
         let mut out = Vec::new();
         for i in start..start + band.width as usize {
             let color = [band.color[0][i], band.color[1][i], band.color[2][i]];
-            // A PNG's color is that of the part that shows something.
+            // PNG colors are not premultiplied.
             let alpha = band.alpha.as_ref().filter(|_| self.alpha).map(|alpha| alpha[i]);
             let color = alpha.map_or(color, |alpha| color.map(|c| if alpha > 0.0 { c / alpha } else { c }));
             let color = shown(color, self.gain, self.tonemap);
@@ -101,7 +101,7 @@ impl Shown {
         out
     }
 
-    /// The bytes of a band's rows, made on all cores.
+    /// Returns the bytes of a band's rows, computed on all cores.
     fn band_bytes(&self, band: &Band) -> Vec<Vec<u8>> {
         let width = band.width as usize;
         (0..band.rows as usize).into_par_iter().map(|y| self.row_bytes(band, y * width)).collect()
@@ -126,7 +126,7 @@ impl ImageWriter for PngWriter {
     }
 }
 
-/// Moves what the encoder has made to the file.
+/// Moves the encoder's output to the file.
 fn drain(encoded: &Receiver<Vec<u8>>, file: &mut AtomicFile) -> Result<(), OutputError> {
     encoded.try_iter().try_for_each(|bytes| file.write_all(&bytes)).map_err(|e| file.failed(e))
 }
@@ -164,7 +164,7 @@ fn encoder(outbox: Outbox, settings: &FileSettings) -> Result<StreamWriter<'stat
     encoder.write_header()?.into_stream_writer()
 }
 
-/// Names the path in an error of the encoder.
+/// Adds the path to an error of the encoder.
 pub(super) fn encode_error(path: &Path, error: EncodingError) -> OutputError {
     let path = path.to_owned();
     match error {

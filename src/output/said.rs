@@ -1,4 +1,4 @@
-//! What pictures say of themselves, read back from their files.
+//! The metadata of images, read from their files.
 
 use std::collections::BTreeMap;
 use std::fs::File;
@@ -9,11 +9,11 @@ use super::origin::{PART, SHOWN, with_part, with_shown};
 use super::part::{Part, said_by_exr};
 use super::{FileSettings, OutputError, has_extension};
 
-/// What the picture at `path`, an EXR or a PNG, says under `key`.
+/// Returns the metadata under `key` of the image at `path`, an EXR or a PNG.
 ///
 /// # Errors
 ///
-/// Where it cannot be read, is neither, or does not say it.
+/// Returns an error if the file cannot be read, has another format, or lacks the key.
 pub fn said(path: &Path, key: &str) -> Result<String, OutputError> {
     let text = match () {
         () if has_extension(path, "exr") => said_by_exr(path, key)?,
@@ -23,12 +23,11 @@ pub fn said(path: &Path, key: &str) -> Result<String, OutputError> {
     text.ok_or_else(|| unsaid(path, format!("it does not say `{key}`, as pictures of this version of `render` do")))
 }
 
-/// What the picture at `path` was written with: everything that [`FileSettings`] has, its
-/// texts sorted by key.
+/// Returns the settings with which the image at `path` was written: all of [`FileSettings`], with texts sorted by key.
 ///
 /// # Errors
 ///
-/// Where it cannot be read, or is no picture that `render` writes.
+/// Returns an error if the file cannot be read, or is not an image that `render` writes.
 pub fn settings_of(path: &Path) -> Result<FileSettings, OutputError> {
     if has_extension(path, "exr") {
         return Ok(Part::open(path)?.settings);
@@ -54,7 +53,7 @@ fn said_by_png(path: &Path, key: &str) -> Result<Option<String>, OutputError> {
     Ok(texts.iter().find(|chunk| chunk.keyword == key).map(|chunk| chunk.text.clone()))
 }
 
-/// With everything read that stands before the pixels.
+/// Returns a reader that has read everything before the pixels.
 fn png_reader(path: &Path) -> Result<png::Reader<BufReader<File>>, OutputError> {
     let file = File::open(path).map_err(|cause| OutputError::Read { path: path.to_owned(), cause })?;
     let broken = |error: png::DecodingError| unsaid(path, format!("this is not a whole PNG: {error}"));

@@ -1,4 +1,4 @@
-//! A picture read back from an EXR that [`exr`](super::exr) wrote, every plane of it.
+//! A reader of all planes of an image from an EXR that [`exr`](super::exr) wrote.
 
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -9,11 +9,11 @@ use super::{FileSettings, OutputError};
 use crate::program::LayerKind;
 use crate::render::{Band, Plane};
 
-/// What the EXR at `path` would be written with, and all that is in it.
+/// Returns the settings and contents of the EXR at `path`.
 ///
 /// # Errors
 ///
-/// Where it cannot be read, or is no picture that `render` wrote.
+/// Returns an error if the file cannot be read, or is not an image that `render` wrote.
 pub fn picture(path: &Path) -> Result<(FileSettings, Band), OutputError> {
     let mut part = Part::open(path)?;
     let [width, rows] = part.settings.window.size;

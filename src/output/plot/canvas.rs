@@ -1,7 +1,7 @@
-//! What plots are drawn on: the elements of an SVG, which are a file as they are or become the pixels of a PNG.
+//! The canvas of plots: SVG elements, which are written as a file or rendered to a PNG.
 //!
-//! The SVG names no font but `sans-serif`. The PNG is set in Ubuntu Light (Ubuntu Font Licence 1.0), which is part of the program, so
-//! that none need be installed.
+//! The SVG names no font except `sans-serif`. The PNG uses Ubuntu Light (Ubuntu Font Licence 1.0), which is part of the program, so that no
+//! font must be installed.
 
 use std::fmt::Display;
 use std::io::Cursor;
@@ -14,30 +14,30 @@ use resvg::usvg::{Options, Tree};
 use svg::node::element::{ClipPath, Element, Group, Path, SVG};
 use svg::node::{Node, Text};
 
-/// Width and height of a plot in pixels, the legend included.
+/// The width and height of a plot in pixels, including the legend.
 pub(super) const CANVAS: [u32; 2] = [1600, 1200];
 /// The size of text in pixels.
 pub(super) const TEXT_SIZE: f64 = 23.0;
-/// From the middle of a line of text down to its baseline, in parts of its size.
+/// The distance from the center of a line of text down to its baseline, relative to its size.
 const HALF_HEIGHT: f64 = 0.35;
-/// Width of a character in parts of the text's size: about, since the font of an SVG is the reader's.
+/// The approximate width of a character relative to the size of text, because the reader chooses the font of an SVG.
 const CHARACTER: f64 = 0.68;
 
 /// A color with its opacity.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Fill(pub &'static str, pub f64);
 
-/// How a line is stroked.
+/// The style of a stroked line.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Pen {
     pub color: &'static str,
-    /// Pixels.
+    /// The width in pixels.
     pub width: f64,
-    /// Lengths of dash and gap in pixels.
+    /// The lengths of dash and gap in pixels.
     pub dash: Option<[f64; 2]>,
 }
 
-/// Where text stands: it begins, has its middle or ends at its place.
+/// The alignment of text: its start, center or end is at its position.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Align {
     Start,
@@ -45,7 +45,7 @@ pub(super) enum Align {
     End,
 }
 
-/// Elements of a plot, each on top of the last.
+/// The elements of a plot in drawing order.
 #[derive(Debug)]
 pub(super) struct Canvas(Group);
 
@@ -54,7 +54,7 @@ impl Canvas {
         Self(Group::new())
     }
 
-    /// Draws a path, its inside filled by the even–odd rule: a ring has a hole.
+    /// Draws a path, filled by the even–odd rule, so that a ring has a hole.
     pub fn draw(&mut self, path: &BezPath, fill: Option<Fill>, pen: Option<Pen>) {
         if path.is_empty() {
             return;
@@ -72,7 +72,7 @@ impl Canvas {
         self.0.append(element);
     }
 
-    /// Draws what lies in a window, and nothing outside of it.
+    /// Draws elements clipped to a window.
     pub fn clipped(&mut self, window: Rect, draw: impl FnOnce(&mut Self)) {
         let mut inside = Self::new();
         draw(&mut inside);
@@ -80,24 +80,24 @@ impl Canvas {
         self.0.append(inside.0.set("clip-path", "url(#window)"));
     }
 
-    /// Writes a line of text, its middle at the height of a place.
+    /// Writes a line of text, vertically centered at a position.
     pub fn write(&mut self, text: &str, at: Point, align: Align) {
         self.0.append(label(text, at, align, TEXT_SIZE));
     }
 
-    /// Writes a line of text that goes upwards, about its middle.
+    /// Writes an upward line of text around its center.
     pub fn write_upwards(&mut self, text: &str, at: Point) {
         let mut label = label(text, at, Align::Middle, TEXT_SIZE);
         label.assign("transform", format!("rotate(-90 {} {})", at.x, at.y));
         self.0.append(label);
     }
 
-    /// Writes a line of text of another size about its middle.
+    /// Writes a line of text of another size around its center.
     pub fn write_title(&mut self, text: &str, at: Point, size: f64) {
         self.0.append(label(text, at, Align::Middle, size));
     }
 
-    /// The whole as SVG.
+    /// Returns the plot as SVG.
     pub fn svg(self) -> String {
         let [width, height] = CANVAS;
         let paper = Path::new().set("d", format!("M0,0 H{width} V{height} H0 Z")).set("fill", "white");
@@ -105,7 +105,7 @@ impl Canvas {
         format!("{}\n", whole.set("font-family", "sans-serif").add(paper).add(self.0))
     }
 
-    /// The whole as a PNG.
+    /// Returns the plot as a PNG.
     pub fn png(self) -> Result<Vec<u8>, String> {
         let mut options = Options::default();
         options.fontdb_mut().load_font_data(UBUNTU_LIGHT.to_vec());
@@ -126,7 +126,7 @@ impl Canvas {
     }
 }
 
-/// The width of a line of text in pixels, about.
+/// Returns the approximate width of a line of text in pixels.
 pub(super) fn text_width(text: &str) -> f64 {
     text.chars().count() as f64 * CHARACTER * TEXT_SIZE
 }
@@ -146,7 +146,7 @@ fn label(text: &str, at: Point, align: Align, size: f64) -> Element {
     label
 }
 
-/// A path in SVG's words, to a hundredth of a pixel.
+/// Returns the SVG data of a path, to a hundredth of a pixel.
 fn data(path: &BezPath) -> String {
     let round = |p: Point| Point::new(hundredths(p.x), hundredths(p.y));
     let rounded = path.iter().map(|element| match element {
@@ -159,7 +159,7 @@ fn data(path: &BezPath) -> String {
     rounded.collect::<BezPath>().to_svg()
 }
 
-/// A number to a hundredth, without −0.
+/// Rounds a number to a hundredth, without −0.
 fn hundredths(value: f64) -> f64 {
     (value * 100.0).round() / 100.0 + 0.0
 }

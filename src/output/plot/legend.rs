@@ -1,22 +1,22 @@
-//! The legend: a column beside the plot, with a line for each series.
+//! The legend: a column next to the plot, with a line for each series.
 
 use kurbo::Point;
 
 use super::canvas::{Align, CANVAS, Canvas, text_width};
 use super::style::Look;
 
-/// Empty room around the plot and the legend in pixels.
+/// The margin around the plot and the legend in pixels.
 pub(super) const MARGIN: f64 = 30.0;
 const ROW_HEIGHT: f64 = 44.0;
-/// Length of the sample of line before a name.
+/// The length of the sample line before a name.
 const SAMPLE: f64 = 90.0;
 const GAP: f64 = 14.0;
-/// Rows that fit between the margins.
+/// The number of rows that fit between the margins.
 const ROWS: usize = ((CANVAS[1] as f64 - 2.0 * MARGIN) / ROW_HEIGHT) as usize;
-/// Characters of a line that are shown, at most.
+/// The largest number of characters of a line.
 const LONGEST: usize = 28;
 
-/// What the legend says: names with the looks they explain, and lines of plain text below.
+/// The contents of the legend: names with the styles that they explain, and lines of plain text below.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Legend {
     pub entries: Vec<(String, Look)>,
@@ -24,7 +24,7 @@ pub(super) struct Legend {
 }
 
 impl Legend {
-    /// The looks of series of these names, and how many of their points have no place in the plot.
+    /// Creates a legend for series of these names; `missing` of their points have no position in the plot.
     pub fn of<'a>(names: impl Iterator<Item = &'a String>, missing: usize) -> Self {
         Self {
             entries: names.enumerate().map(|(i, name)| (name.clone(), Look::of(i))).collect(),
@@ -36,7 +36,7 @@ impl Legend {
         }
     }
 
-    /// Where the column begins, in pixels; the canvas's edge if there is nothing to say.
+    /// Returns the left edge of the column in pixels, or the canvas's edge if it is empty.
     pub fn left(&self) -> f64 {
         let names = self.entries.iter().map(|(name, _)| text_width(&shortened(name)) + SAMPLE + GAP);
         let notes = self.notes.iter().map(|note| text_width(&shortened(note)));

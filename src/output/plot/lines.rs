@@ -1,4 +1,4 @@
-//! Lines in a chart with linear or logarithmic axes.
+//! Charts of lines with linear or logarithmic axes.
 
 use std::path::Path;
 
@@ -11,34 +11,34 @@ use super::sheet::Sheet;
 use super::style::Look;
 use crate::output::OutputError;
 
-/// Markers on a line, at most: more would hide its dashes.
+/// The largest number of markers on a line; more would hide its dashes.
 const MARKS: usize = 20;
 
-/// A chart: what it is called, its axes and its lines.
+/// A chart with its title, axes and lines.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Chart {
-    /// What stands above; may be empty.
+    /// The title above the chart; may be empty.
     pub title: String,
-    /// What x is, with its unit.
+    /// The label of x, with its unit.
     pub x_label: String,
-    /// What y is, with its unit.
+    /// The label of y, with its unit.
     pub y_label: String,
-    /// Whether x is logarithmic.
+    /// Is `true` if x is logarithmic.
     pub log_x: bool,
-    /// Whether y is logarithmic.
+    /// Is `true` if y is logarithmic.
     pub log_y: bool,
     /// The lines, in the order of the legend.
     pub series: Vec<Series>,
 }
 
 impl Chart {
-    /// Creates a chart with linear axes, whose labels are those of x and y.
+    /// Creates a chart with linear axes and these labels.
     #[must_use]
     pub fn linear(title: impl Into<String>, [x, y]: [&str; 2], series: Vec<Series>) -> Self {
         Self { title: title.into(), x_label: x.to_owned(), y_label: y.to_owned(), series, ..Self::default() }
     }
 
-    /// Creates a chart with logarithmic axes, whose labels are those of x and y.
+    /// Creates a chart with logarithmic axes and these labels.
     #[must_use]
     pub fn logarithmic(title: impl Into<String>, labels: [&str; 2], series: Vec<Series>) -> Self {
         Self { log_x: true, log_y: true, ..Self::linear(title, labels, series) }
@@ -48,10 +48,10 @@ impl Chart {
 /// A line of a chart.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Series {
-    /// Its name in the legend.
+    /// The name in the legend.
     pub name: String,
-    /// Its points `[x, y]` in the order they are joined. Where one is not finite, or not positive on a logarithmic
-    /// axis, the line is broken, and a note under the legend counts it.
+    /// The points `[x, y]` in the order of the line. A point that is not finite, or not positive on a logarithmic axis, breaks the line,
+    /// and a note under the legend counts it.
     pub points: Vec<[f64; 2]>,
 }
 
@@ -62,7 +62,7 @@ impl Series {
         Self { name: name.into(), points }
     }
 
-    /// Appends a point to the series called `name`, which is created if there is none.
+    /// Appends a point to the series `name`, which is created if it is missing.
     pub fn extend(all: &mut Vec<Self>, name: &str, point: [f64; 2]) {
         match all.iter_mut().find(|series| series.name == name) {
             Some(series) => series.points.push(point),
@@ -70,7 +70,7 @@ impl Series {
         }
     }
 
-    /// The points in plot coordinates, if they have any.
+    /// Returns the points in plot coordinates; `None` breaks the line.
     pub(super) fn placed(&self, [log_x, log_y]: [bool; 2]) -> Vec<Option<[f64; 2]>> {
         self.points.iter().map(|[x, y]| Some([place(*x, log_x)?, place(*y, log_y)?])).collect()
     }
@@ -97,7 +97,7 @@ pub fn plot_lines(path: &Path, chart: &Chart) -> Result<(), OutputError> {
     })
 }
 
-/// Draws a line that is broken where there is no place.
+/// Draws a line with a break at each missing position.
 pub(super) fn draw_line(canvas: &mut Canvas, line: &[Option<Point>], look: Look) {
     for part in line.split(Option::is_none) {
         look.join(canvas, part.iter().copied().flatten());

@@ -1,12 +1,11 @@
-//! Plots as SVG or PNG: paths of rays in a plane ([`plot_paths`]), lines in a chart ([`plot_lines`]), and the time of
-//! methods against their error ([`plot_precision`]).
+//! Plots as SVG or PNG: ray diagrams ([`plot_paths`]), charts of lines ([`plot_lines`]), and work–precision diagrams of methods
+//! ([`plot_precision`]).
 //!
-//! The extension of the file's name says which format it is. A plot is drawn as SVG; a PNG is that SVG rendered by `resvg` with a font
-//! of the program's own, so that both show the same on every system.
+//! The extension of the file selects the format. A plot is drawn as SVG, and a PNG is this SVG rendered by `resvg` with the program's font,
+//! so that both look equal on every system.
 //!
-//! A series is told from the others by color (of Okabe and Ito's set, which color-blind readers can tell apart), by
-//! dashes and by the shape of its markers, so that a plot can also be read in black and white. The legend stands in a
-//! column of its own, where it covers nothing. Time and memory grow with the number of points.
+//! Series differ in color (of the Okabe–Ito palette, which is safe for color-blind readers), dashes and markers, so that a plot can also be
+//! read in black and white. The legend is in a separate column, where it covers nothing. Time and memory grow with the number of points.
 
 mod axis;
 mod canvas;

@@ -1,8 +1,7 @@
-//! Time against error, both logarithmic: which method is accurate enough, and which of those is fastest.
+//! Work–precision diagrams of time against error on logarithmic axes, which show the fastest method for each accuracy.
 //!
-//! The nearer a point is to the lower left corner, the better. Those that none beats in both are ringed, and a gray
-//! staircase joins them: it is the least time that buys each error. What is wrong altogether stands on a line of its own, right of
-//! every error.
+//! Points closer to the lower left corner are better. Rings mark the Pareto front, and a gray staircase joins it: the least time for each
+//! error. Gross errors are on a separate line, to the right of all errors.
 
 use std::path::Path;
 
@@ -20,30 +19,29 @@ use crate::output::OutputError;
 const LOG_LOG: [bool; 2] = [true; 2];
 const FLOOR: &str = "f32 floor";
 const WRONG: &str = "wrong";
-/// Between a line and its name.
+/// The distance between a line and its name.
 const GAP: f64 = 10.0;
-/// From the largest error to the line of what is wrong, in decades.
+/// The distance from the largest error to the line of gross errors, in decades.
 const BEYOND: f64 = 0.5;
 
-/// A work–precision plot: what it is called, its axes and its curves.
+/// A work–precision diagram with its title, axes and curves.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct PrecisionPlot {
-    /// What stands above; may be empty.
+    /// The title above the diagram; may be empty.
     pub title: String,
-    /// What the error is, with its unit.
+    /// The label of the error, with its unit.
     pub x_label: String,
-    /// What the time is, with its unit.
+    /// The label of the time, with its unit.
     pub y_label: String,
-    /// The curves, in the order of the legend: points `[error, time]`, joined in their order. An infinite error is one that
-    /// is wrong altogether. Any other point that is not finite and positive breaks its curve, and a note under the legend
-    /// counts it.
+    /// The curves in the order of the legend, with points `[error, time]` in the order of the line. An infinite error is a gross error.
+    /// Another point that is not finite and positive breaks its curve, and a note under the legend counts it.
     pub curves: Vec<Series>,
-    /// The error that rounding to `f32` leaves to every method, if it is known.
+    /// The error that rounding to `f32` causes for every method, if it is known.
     pub floor: Option<f64>,
 }
 
 impl PrecisionPlot {
-    /// The points that are ringed, by curve and point, from the least error to the least time.
+    /// Returns the Pareto front by curve and point, from the least error to the least time.
     #[must_use]
     pub fn front(&self) -> Vec<(usize, usize)> {
         let (places, points): (Vec<_>, Vec<_>) = self
@@ -56,20 +54,20 @@ impl PrecisionPlot {
         pareto_front(&points).into_iter().map(|i| places[i]).collect()
     }
 
-    /// The times of what is wrong, in plot coordinates, by curve.
+    /// Returns the times of gross errors in plot coordinates, by curve.
     fn wrong(&self) -> Vec<Vec<f64>> {
         let wrong = |[error, time]: &[f64; 2]| place(*time, true).filter(|_| *error == f64::INFINITY);
         self.curves.iter().map(|curve| curve.points.iter().filter_map(wrong).collect()).collect()
     }
 
-    /// The curves in plot coordinates.
+    /// Returns the curves in plot coordinates.
     fn placed(&self) -> Vec<Vec<Option<[f64; 2]>>> {
         self.curves.iter().map(|curve| curve.placed(LOG_LOG)).collect()
     }
 }
 
-/// The points that no other is as good as in both coordinates and better than in one, from the least first coordinate
-/// on; what is not finite is left out. Equal points are all kept.
+/// Returns the Pareto front of minimal points in the order of the first coordinate, without points that are not finite. Equal points are
+/// all included.
 #[must_use]
 pub fn pareto_front(points: &[[f64; 2]]) -> Vec<usize> {
     let mut order: Vec<_> = (0..points.len()).filter(|i| points[*i].iter().all(|v| v.is_finite())).collect();
@@ -88,7 +86,7 @@ fn same(a: &[f64; 2], b: &[f64; 2]) -> bool {
     a == b
 }
 
-/// Draws a work–precision plot at `path`, as SVG or PNG by its extension.
+/// Draws a work–precision diagram at `path`, as SVG or PNG by its extension.
 pub fn plot_precision(path: &Path, chart: &PrecisionPlot) -> Result<(), OutputError> {
     let placed = chart.placed();
     let all = || placed.iter().flatten().flatten();
@@ -128,7 +126,7 @@ fn legend(chart: &PrecisionPlot, placed: &[Vec<Option<[f64; 2]>>], wrong: &[Vec<
     legend
 }
 
-/// Lines first and markers last, so that none of them is hidden.
+/// Draws lines first and markers last, so that no marker is hidden.
 fn draw_curves(canvas: &mut Canvas, curves: &[Vec<Option<Point>>], front: &[Point]) {
     Look::BEST.join(canvas, stairs(front));
     for (i, curve) in curves.iter().enumerate() {
@@ -142,14 +140,14 @@ fn draw_curves(canvas: &mut Canvas, curves: &[Vec<Option<Point>>], front: &[Poin
     }
 }
 
-/// From each place right to below which the next one is, and down to it.
+/// Returns a staircase, which goes right to below the next point, and then down to it.
 fn stairs(front: &[Point]) -> Vec<Point> {
     let mut line: Vec<_> = front.windows(2).flat_map(|pair| [pair[0], Point::new(pair[1].x, pair[0].y)]).collect();
     line.extend(front.last());
     line
 }
 
-/// An upright line with its name at the foot, where little is: a small error takes its time.
+/// Draws a vertical line with its name at the bottom, where points are rare, because small errors take time.
 fn draw_limit(canvas: &mut Canvas, sheet: &Sheet, error: f64, name: &str) {
     let [foot, head] = [sheet.y.range.start, sheet.y.range.end].map(|time| sheet.at([error, time]));
     Look::LIMIT.join(canvas, [foot, head]);

@@ -1,4 +1,4 @@
-//! A sheet: the canvas with its axes, its title and its legend, and the file that it becomes.
+//! A sheet: the canvas with axes, title and legend, and its file.
 
 use std::io::Write;
 use std::path::Path;
@@ -11,12 +11,12 @@ use super::legend::{Legend, MARGIN};
 use super::style::joined;
 use crate::output::{AtomicFile, OutputError, has_extension};
 
-/// Room for the numbers and name of the x axis below the plot, and of the y axis beside it.
+/// The room for the labels of the x axis below the plot, and of the y axis next to it.
 const LABEL_ROOM: [f64; 2] = [90.0, 140.0];
-/// Room for a title, and its size.
+/// The room for a title, and its size.
 const TITLE_ROOM: f64 = 40.0;
 const TITLE_SIZE: f64 = 29.0;
-/// Length of a tick, and from the axis to its numbers.
+/// The length of a tick, and the distance from the axis to its numbers.
 const TICK: f64 = 5.0;
 const GAP: f64 = 10.0;
 const AXIS: Pen = Pen { color: "black", width: 1.0, dash: None };
@@ -32,13 +32,13 @@ fn is_svg(path: &Path) -> Result<bool, OutputError> {
     }
 }
 
-/// Makes sure that a plot can be written at `path`, before the work that it will show.
+/// Checks that a plot can be written at `path`, before its data are computed.
 pub fn check_plot(path: &Path) -> Result<(), OutputError> {
     is_svg(path)?;
     AtomicFile::create(path).map(drop)
 }
 
-/// The part of the canvas that data are drawn in, and the axes that say what is where.
+/// The area of data on the canvas, with its axes.
 pub(super) struct Sheet<'a> {
     pub title: &'a str,
     pub x: Axis,
@@ -47,7 +47,7 @@ pub(super) struct Sheet<'a> {
 }
 
 impl Sheet<'_> {
-    /// The part of the canvas that is left for data beside a legend, in pixels.
+    /// Returns the area in pixels that a title and a legend leave for data.
     pub fn room(title: &str, legend: &Legend) -> Rect {
         let [width, height] = CANVAS.map(f64::from);
         let right = legend.left().min(width) - MARGIN;
@@ -55,19 +55,19 @@ impl Sheet<'_> {
         Rect::new(MARGIN + LABEL_ROOM[1], top, right, height - MARGIN - LABEL_ROOM[0])
     }
 
-    /// Where data are drawn, in pixels.
+    /// Returns the area of data, in pixels.
     pub fn window(&self) -> Rect {
         Self::room(self.title, self.legend)
     }
 
-    /// Where a place in plot coordinates is on the canvas.
+    /// Returns the canvas position of a point in plot coordinates.
     pub fn at(&self, [x, y]: [f64; 2]) -> Point {
         let window = self.window();
         let part = |value: f64, axis: &Axis| (value - axis.range.start) / axis.span();
         Point::new(window.x0 + part(x, &self.x) * window.width(), window.y1 - part(y, &self.y) * window.height())
     }
 
-    /// Draws axes, what `draw` draws and the legend, and writes the file.
+    /// Draws axes, data by `draw`, and the legend, and writes the file.
     pub fn save(&self, path: &Path, draw: impl FnOnce(&mut Canvas)) -> Result<(), OutputError> {
         let is_svg = is_svg(path)?;
         let mut file = AtomicFile::create(path)?;
@@ -84,7 +84,7 @@ impl Sheet<'_> {
         file.finish()
     }
 
-    /// The grid first, so that the axes and their names are on top of it.
+    /// Draws the grid first, so that the axes and their names are on top.
     fn draw_axes(&self, canvas: &mut Canvas) {
         let Rect { x0, y0, x1, y1 } = self.window();
         let mut line = |ends: [(f64, f64); 2], pen| {
@@ -118,7 +118,7 @@ impl Sheet<'_> {
     }
 }
 
-/// The middle of the pixel that a place is in: an upright line there is sharp.
+/// Returns the center of the pixel at a position, where a vertical line is sharp.
 fn sharp(at: Point) -> Point {
     at.floor() + (0.5, 0.5)
 }

@@ -1,4 +1,4 @@
-//! How series and what is no data look.
+//! The styles of series and of other elements.
 
 use kurbo::{Affine, BezPath, Circle, Point, Shape as _};
 
@@ -7,27 +7,27 @@ use super::canvas::{Canvas, Fill, Pen};
 const STROKE_WIDTH: f64 = 3.0;
 const THIN: f64 = 2.0;
 const FINE: f64 = 1.0;
-/// About half the size of a marker in pixels.
+/// The approximate half size of a marker in pixels.
 const RADIUS: f64 = 8.0;
 const HALO_RADIUS: f64 = 16.0;
 
-/// Okabe and Ito's colors without yellow, which is too faint for lines on white.
+/// The Okabe–Ito palette without yellow, which is too faint for lines on white.
 const COLORS: [&str; 7] = ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#000000", "#e69f00", "#56b4e9"];
-/// Of what is not data.
+/// The color of elements that are not data.
 const GREY: &str = "#808080";
-/// Of what is behind it.
+/// The color of elements behind them.
 const LIGHT: &str = "#c8c8c8";
-/// Of surfaces.
+/// The color of surfaces.
 const DARK: &str = "#404040";
-/// Of media.
+/// The color of media.
 const GLASS: &str = "#789cc8";
 
-/// Lengths of dash and gap in pixels.
+/// The lengths of dash and gap in pixels.
 const DASHES: [Option<[f64; 2]>; 5] =
     [None, Some([18.0, 9.0]), Some([5.0, 7.0]), Some([32.0, 8.0]), Some([10.0, 14.0])];
 
-/// The shapes of markers, and whether they are hollow. Sixteen of them, seven colors and five dashes have no common
-/// divisor, so that they only come together again after all their combinations.
+/// The shapes of markers, filled or hollow. Sixteen markers, seven colors and five dashes have no common divisor, so that combinations
+/// repeat only after all have been used.
 const MARKERS: [Marker; 16] = [
     Marker(Shape::Disc, false),
     Marker(Shape::Square, false),
@@ -47,7 +47,7 @@ const MARKERS: [Marker; 16] = [
     Marker(Shape::Hourglass, true),
 ];
 
-/// A shape, and whether it is hollow.
+/// A shape, and `true` if it is hollow.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 struct Marker(Shape, bool);
 
@@ -67,7 +67,7 @@ enum Shape {
     Halo,
 }
 
-/// How one series is drawn.
+/// The style of one series.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Look {
     pen: Pen,
@@ -75,37 +75,37 @@ pub(super) struct Look {
 }
 
 impl Look {
-    /// The look of the series of this number; the first 560 all differ, and the first 16 by their markers alone.
+    /// Returns the style of a series by its index; the first 560 all differ, and the first 16 by their markers alone.
     pub fn of(series: usize) -> Self {
         let pen =
             Pen { color: COLORS[series % COLORS.len()], width: STROKE_WIDTH, dash: DASHES[series % DASHES.len()] };
         Self { pen, marker: Some(MARKERS[series % MARKERS.len()]) }
     }
 
-    /// A gray line, for what is not data.
+    /// A gray line for elements that are not data.
     pub const ASIDE: Self = Self::line(GREY, STROKE_WIDTH);
-    /// A fine light line, for what lies behind the data.
+    /// A fine light line behind the data.
     pub const BEHIND: Self = Self::line(LIGHT, FINE);
-    /// A thin dashed gray line, for a limit.
+    /// A thin dashed gray line for a limit.
     pub const LIMIT: Self = Self { pen: Pen { color: GREY, width: THIN, dash: Some([14.0, 8.0]) }, marker: None };
-    /// A thin gray line through wide rings, for the best of the data.
+    /// A thin gray line through wide rings for the Pareto front.
     pub const BEST: Self = Self { marker: Some(Marker(Shape::Halo, true)), ..Self::line(GREY, THIN) };
-    /// A dark line, for an opaque surface.
+    /// A dark line for an opaque surface.
     pub const SOLID: Self = Self::line(DARK, STROKE_WIDTH);
-    /// A light line, for the surface of a medium.
+    /// A light line for the surface of a medium.
     pub const GLASS: Self = Self::line(GLASS, STROKE_WIDTH);
-    /// A thin dark line, for what swallows rays.
+    /// A thin dark line for a capture surface.
     pub const HOLE: Self = Self::line(DARK, THIN);
-    /// A black cross, for a place that was found.
+    /// A black cross for a computed position.
     pub const FOCUS: Self = Self { marker: Some(Marker(Shape::Cross, false)), ..Self::line("black", STROKE_WIDTH) };
-    /// A black plus, for a place that was given.
+    /// A black plus for a given position.
     pub const CENTER: Self = Self { marker: Some(Marker(Shape::Plus, false)), ..Self::FOCUS };
 
     const fn line(color: &'static str, width: f64) -> Self {
         Self { pen: Pen { color, width, dash: None }, marker: None }
     }
 
-    /// What an area of its color is filled with.
+    /// Returns the fill of an area in this color.
     pub fn fill(self, opacity: f64) -> Fill {
         Fill(self.pen.color, opacity)
     }
@@ -115,12 +115,12 @@ impl Look {
         canvas.draw(path, None, Some(self.pen));
     }
 
-    /// Draws a line through places.
+    /// Draws a line through positions.
     pub fn join(self, canvas: &mut Canvas, places: impl IntoIterator<Item = Point>) {
         self.stroke(canvas, &joined(places));
     }
 
-    /// Draws its marker at a place, if it has one.
+    /// Draws the marker at a position, if the style has one.
     pub fn mark(self, canvas: &mut Canvas, at: Point) {
         let Some(Marker(shape, hollow)) = self.marker else { return };
         let path = Affine::translate(at.to_vec2()) * shape.path();
@@ -134,7 +134,7 @@ impl Look {
 }
 
 impl Shape {
-    /// Its outline about [0, 0], or its strokes.
+    /// Returns the outline around [0, 0], or the strokes.
     fn path(self) -> BezPath {
         const R: f64 = RADIUS;
         let polygon = |corners: &[[f64; 2]]| ring(corners.iter().map(|[x, y]| Point::new(*x, *y)));
@@ -161,7 +161,7 @@ impl Shape {
     }
 }
 
-/// The line through places; nothing through fewer than two.
+/// Returns the line through positions, or nothing for fewer than two.
 pub(super) fn joined(places: impl IntoIterator<Item = Point>) -> BezPath {
     let mut path = BezPath::new();
     for at in places {
@@ -174,7 +174,7 @@ pub(super) fn joined(places: impl IntoIterator<Item = Point>) -> BezPath {
     if path.elements().len() > 1 { path } else { BezPath::new() }
 }
 
-/// The closed line through places; nothing through fewer than two.
+/// Returns the closed line through positions, or nothing for fewer than two.
 pub(super) fn ring(places: impl IntoIterator<Item = Point>) -> BezPath {
     let mut path = joined(places);
     if !path.is_empty() {

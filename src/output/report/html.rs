@@ -1,11 +1,11 @@
-//! Text, addresses and rows of tables as HTML.
+//! The conversion of text, addresses and table rows to HTML.
 
 use std::fmt::Write as _;
 use std::path::Path;
 
-/// Text that shows as it is, in an element or in a quoted attribute.
+/// Escapes text for an element or a quoted attribute.
 ///
-/// Control characters, which a page may not hold, become the replacement character.
+/// Control characters, which HTML does not allow, become the replacement character.
 pub(super) fn escape(text: &str) -> String {
     let mut escaped = String::with_capacity(text.len());
     for c in text.chars() {
@@ -22,7 +22,7 @@ pub(super) fn escape(text: &str) -> String {
     escaped
 }
 
-/// A relative path as an address, which is never one of another place.
+/// Returns the URL of a relative path, which never refers to another host.
 pub(super) fn address(path: &Path) -> String {
     let parts: Vec<_> = path.iter().map(|part| percent_encoded(&part.to_string_lossy())).collect();
     parts.join("/")
@@ -37,7 +37,7 @@ fn percent_encoded(part: &str) -> String {
         .collect()
 }
 
-/// A row of cells, as many as there are columns; those of numbers are marked.
+/// Returns a row of cells, one per column, with numbers marked.
 pub(super) fn row(cell: &str, fields: &[String], numeric: &[bool]) -> String {
     let mut row = String::from("<tr>");
     for (i, numeric) in numeric.iter().enumerate() {

@@ -1,7 +1,7 @@
-//! A page that shows plots beside their tables ([`write_report`]), and the same tables for a terminal ([`text_table`]).
+//! Pages that show plots next to their tables ([`write_report`]), and the tables for a terminal ([`text_table`]).
 //!
-//! The page is one file of HTML with its style inside: no scripts, and nothing from elsewhere but the plots, which it
-//! names relative to itself. All that is given is text, and is shown as it is, whatever characters it has.
+//! The page is one HTML file with its style: it has no scripts, and refers only to the plots, by relative paths. All input is text and is
+//! shown literally, whatever characters it contains.
 
 mod html;
 mod text;
@@ -18,27 +18,27 @@ pub use text::text_table;
 
 const STYLE: &str = include_str!("style.css");
 
-/// A part of a report.
+/// A section of a report.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Section {
-    /// What stands above.
+    /// The title above the section.
     pub title: String,
-    /// Paragraphs that say what is to be seen.
+    /// The paragraphs of the introduction.
     pub intro: Vec<String>,
-    /// Pictures, by their paths relative to the page, and what they show in words.
+    /// The images by their paths relative to the page, with their descriptions.
     pub images: Vec<(PathBuf, String)>,
-    /// Tables, below the pictures.
+    /// The tables, below the images.
     pub tables: Vec<ReportTable>,
 }
 
 /// A table of a report.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct ReportTable {
-    /// What stands above; may be empty.
+    /// The caption above the table; may be empty.
     pub caption: String,
     /// The names of the columns.
     pub header: Vec<String>,
-    /// The rows; one that is shorter than others ends in empty cells.
+    /// The rows; a shorter row ends in empty cells.
     pub rows: Vec<Vec<String>>,
 }
 

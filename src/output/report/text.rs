@@ -1,9 +1,8 @@
 //! Tables as aligned text.
 
-/// A table as lines of text: the header, a rule and the rows, with two spaces between the columns.
+/// Returns a table as lines of text: the header, a rule and the rows, with two spaces between the columns.
 ///
-/// Columns that hold numbers alone are set to the right, others to the left. A cell stays on one line, and no line ends
-/// in spaces.
+/// Columns that contain only numbers are right-aligned, others left-aligned. A cell stays on one line, and no line ends in spaces.
 #[must_use]
 pub fn text_table(header: &[String], rows: &[Vec<String>]) -> String {
     let numeric = number_columns(header, rows);
@@ -15,7 +14,7 @@ pub fn text_table(header: &[String], rows: &[Vec<String>]) -> String {
     [&header, &rule].into_iter().chain(&rows).map(|row| line(row, &columns)).collect()
 }
 
-/// For each column, whether all that it holds are numbers, and it holds any.
+/// Returns `true` for each column that contains numbers and nothing else.
 pub(super) fn number_columns(header: &[String], rows: &[Vec<String>]) -> Vec<bool> {
     let columns = rows.iter().map(Vec::len).chain([header.len()]).max().unwrap_or(0);
     (0..columns)
@@ -27,12 +26,12 @@ pub(super) fn number_columns(header: &[String], rows: &[Vec<String>]) -> Vec<boo
         .collect()
 }
 
-/// Whether a cell says that there is no value.
+/// Returns `true` if a cell has no value.
 fn is_blank(cell: &str) -> bool {
     matches!(cell, "" | "-" | "–" | "—")
 }
 
-/// Whether a cell is a number, with a comparison before it or a unit after it or not.
+/// Returns `true` if a cell is a number, optionally with a comparison before it or a unit after it.
 fn is_number(cell: &str) -> bool {
     let mut words = cell.trim_start_matches(['<', '>', '≤', '≥', '~', '≈', ' ']).split_whitespace();
     let number = words
@@ -47,7 +46,7 @@ fn widest(header: &[String], rows: &[Vec<String>], column: usize) -> usize {
     cells.unwrap_or(0)
 }
 
-/// A row with its cells padded to width, to the left of them where the column is set to the right.
+/// Returns a row with its cells padded to their width; `true` in `columns` means right-aligned.
 fn line(row: &[String], columns: &[(usize, bool)]) -> String {
     let mut line = String::new();
     for (i, (column, right)) in columns.iter().enumerate() {
@@ -64,7 +63,7 @@ fn width(cell: &str) -> usize {
     cell.chars().count()
 }
 
-/// A cell without line breaks and outer spaces.
+/// Returns a cell without line breaks and outer spaces.
 fn one_line(cell: &str) -> String {
     cell.split_whitespace().collect::<Vec<_>>().join(" ")
 }

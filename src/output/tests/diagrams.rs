@@ -1,4 +1,4 @@
-//! Ray diagrams show what crosses their plane, and nothing outside their frame.
+//! Tests of ray diagrams: they show the surfaces in their plane, and nothing outside their frame.
 
 use std::sync::Arc;
 
@@ -10,7 +10,7 @@ use crate::model::shape::Sphere;
 use crate::output::plot::{CrossSection, PathLine, PathPlot, PlotRange, SurfaceKind, plot_paths};
 use crate::scene::{CutPlane, Object, Substance, Transform};
 
-/// Straight lines past a center, bent towards it, in the plane of x and z.
+/// Returns straight lines past a center, bent towards it, in the plane of x and z.
 pub(super) fn lines() -> Vec<PathLine<'static>> {
     let status = ["escaped", "captured", "hit", "step limit"];
     (0..12)
@@ -23,42 +23,42 @@ pub(super) fn lines() -> Vec<PathLine<'static>> {
         .collect()
 }
 
-/// The plane of x and z.
+/// Returns the plane of x and z.
 fn plane() -> CutPlane {
     CutPlane::new(DVec3::ZERO, DVec3::Y).unwrap()
 }
 
-/// Everything about some paths.
+/// Returns a diagram of all of these paths.
 pub(super) fn all(lines: Vec<PathLine<'static>>) -> PathPlot<'static> {
     PathPlot { bound: Some((DVec3::ZERO, 12.0)), ..PathPlot::new(plane(), lines) }
 }
 
-/// A ball of this radius.
+/// Returns the cross section of a ball.
 fn ball(center: DVec3, radius: f64, kind: SurfaceKind) -> CrossSection {
     let transform = Transform::new(DVec3::splat(radius), DVec3::ZERO, center);
     let object = Object::new(Arc::new(Sphere), transform, Substance::Opaque(0));
     CrossSection { kind, outlines: object.cut(&plane()) }
 }
 
-/// The numbers in a text, in order.
+/// Returns the numbers in a text, in order.
 fn numbers(text: &str) -> Vec<f64> {
     let words = text.split(|c: char| !(c.is_ascii_digit() || c == '.' || c == '-'));
     words.filter_map(|word| word.parse().ok()).collect()
 }
 
-/// The numbers of a path element's data, as points.
+/// Returns the numbers of a path element's data, as points.
 pub(super) fn points(line: &str) -> Vec<[f64; 2]> {
     let data = line.split(" d=\"").nth(1).unwrap().split('"').next().unwrap();
     numbers(data).chunks_exact(2).map(|p| [p[0], p[1]]).collect()
 }
 
-/// The `<path>` elements that are drawn in the window of an SVG: all of the line, and the points of its data.
+/// Returns the `<path>` elements in the window of an SVG: the line of text, and the points of its data.
 fn paths(svg: &str) -> Vec<(&str, Vec<[f64; 2]>)> {
     let inside = svg.split("<g clip-path").nth(1).unwrap().split("</g>").next().unwrap();
     inside.lines().filter(|line| line.starts_with("<path")).map(|line| (line, points(line))).collect()
 }
 
-/// The window that data are drawn in: left, top, right and bottom.
+/// Returns the window of data: left, top, right and bottom.
 fn window(svg: &str) -> [f64; 4] {
     let corners = points(svg.split("<clipPath").nth(1).unwrap());
     [corners[0][0], corners[0][1], corners[2][0], corners[2][1]]
@@ -71,7 +71,7 @@ fn paths_are_named_by_their_ends() {
         assert!(svg.contains(text), "{text}");
     }
     assert!(!svg.contains("y (scene units)"));
-    // The bound, and for each path its line and its arrow.
+    // The bounding circle, and a line and an arrow for each path.
     assert_eq!(paths(&svg).len(), 1 + 2 * 12);
     assert!(!svg.contains("rays leave the plane"));
 }
@@ -108,9 +108,9 @@ fn nothing_is_outside_of_the_frame() {
         }
     }
     assert!(count > 10);
-    // The bound is beyond it.
+    // The bounding circle is outside.
     assert!(!svg.contains("bound"));
-    // Areas are cut off too: between the window and the legend, and above it, all is white.
+    // Areas are clipped: everything is white between the window and the legend, and above it.
     let picture = png("frame.png", |path| plot_paths(path, &plot).unwrap());
     let white = |x: u32, y: u32| picture.get_pixel(x, y).0 == [255; 3];
     assert!((0..1080).all(|y| (1..29).all(|x| white(right as u32 + x, y))));
@@ -121,7 +121,7 @@ fn nothing_is_outside_of_the_frame() {
 #[test]
 fn a_ball_is_a_circle_of_its_size() {
     let radius = 2.5;
-    // Not through the middle: √(2.5² − 1.5²) = 2.
+    // Off-center by 1.5: √(2.5² − 1.5²) = 2.
     let surfaces = vec![ball(DVec3::new(1.0, 1.5, -1.0), radius, SurfaceKind::Medium)];
     let plot = PathPlot { range: PlotRange::Objects, surfaces, ..all(lines()) };
     let svg = svg("ball.svg", |path| plot_paths(path, &plot).unwrap());
@@ -132,7 +132,7 @@ fn a_ball_is_a_circle_of_its_size() {
     let [left, top, right, bottom] = window(&svg);
     let middle = points.iter().fold([0.0; 2], |sum, p| [sum[0] + p[0], sum[1] + p[1]]).map(|v| v / points.len() as f64);
     let distances: Vec<f64> = points.iter().map(|p| (p[0] - middle[0]).hypot(p[1] - middle[1])).collect();
-    // The frame about an object is half as large again, so that its height is 3 radii.
+    // The frame around an object is half as large again, so that its height is 3 radii.
     let expected = (bottom - top) / 3.0;
     assert!(distances.iter().all(|d| (d - expected).abs() < 1.0), "{expected}: {distances:?}");
     let centered = [f64::midpoint(left, right), f64::midpoint(top, bottom)];
@@ -146,7 +146,7 @@ fn a_hole_in_an_area_stays_empty() {
     let ring = CrossSection { outlines: [outer.outlines, inner.outlines].concat(), ..outer };
     let plot = PathPlot { range: PlotRange::Objects, surfaces: vec![ring], bound: None, ..all(Vec::new()) };
     let picture = png("ring.png", |path| plot_paths(path, &plot).unwrap());
-    // Along a line through it, which also meets lines of the grid.
+    // A line through the object, which also crosses lines of the grid.
     let tinted = |x: u32, y: u32| picture.get_pixel(x, y).0 != [255; 3];
     let row: Vec<bool> = (200..1300).map(|x| tinted(x, 590)).collect();
     let changes = row.windows(2).filter(|pair| pair[0] != pair[1]).count();
@@ -183,9 +183,9 @@ fn foci_and_windings_are_marked_and_written() {
     {
         assert!(svg.contains(text), "{text}");
     }
-    // It is beyond the frame.
+    // The focus is outside the frame.
     assert!(svg.contains("F3 [40, 2]") && !svg.contains(">F3<"));
-    // Labels do not cover each other.
+    // Labels do not overlap.
     let labels =
         svg.lines().filter(|line| line.starts_with("<text") && line.contains('.') && line.ends_with("</text>"));
     let turns =
@@ -233,7 +233,7 @@ fn what_is_far_larger_than_the_window_is_drawn_in_it() {
             assert!((x - side).abs() < 0.02 && (found - y).abs() < 0.02, "[{x}, {found}]");
         }
     }
-    // The dashes of the second are there, half of the way.
+    // The dashes of the second path cover half of it.
     let picture = png("far.png", |path| plot_paths(path, &plot).unwrap());
     let row = (f64::midpoint(top, bottom) + 0.5 * unit) as u32;
     let dashed = (left as u32..right as u32).filter(|x| picture.get_pixel(*x, row).0 == [0xd5, 0x5e, 0]).count();
@@ -243,7 +243,7 @@ fn what_is_far_larger_than_the_window_is_drawn_in_it() {
 
 #[test]
 fn a_path_through_the_window_is_seen_from_edge_to_edge() {
-    // Parabolas, of which nothing is left in the third order but roundings.
+    // Parabolas, for which the third order is zero except for rounding.
     let through = |i: u32| {
         let [a, b, c] =
             [[-30.0, 0.3 * f64::from(i)], [1.0, f64::from(i)], [30.0, 0.7]].map(|[x, z]| DVec3::new(x, 0.0, z));

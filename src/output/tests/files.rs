@@ -1,4 +1,4 @@
-//! Whole or not at all.
+//! Tests of files that are written completely or not at all.
 
 use std::{
     fs,
@@ -57,7 +57,7 @@ fn refuses_what_cannot_be_a_file() {
 
 #[test]
 fn writes_in_the_current_folder() {
-    // Dropped unfinished: nothing stays behind.
+    // If dropped unfinished, the file leaves nothing behind.
     AtomicFile::create(Path::new("bentray-output-test.txt")).unwrap();
 }
 

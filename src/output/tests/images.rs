@@ -1,4 +1,4 @@
-//! Pictures read back.
+//! Tests that read written images.
 
 #![allow(clippy::float_cmp)] // what is stored exactly is compared exactly
 
@@ -17,7 +17,7 @@ use crate::program::Layer;
 use crate::render::{Band, Plane, Window};
 use crate::scene::Tonemap;
 
-/// A picture with a different value everywhere, as bands of these heights.
+/// Returns an image with distinct values, as bands of these heights.
 fn bands(width: u32, heights: &[u32]) -> Vec<Band> {
     let mut first_row = 0;
     let mut bands = Vec::new();
@@ -62,7 +62,7 @@ fn write(path: &Path, settings: &FileSettings, bands: &[Band]) {
     writer.finish().unwrap();
 }
 
-/// The bits of every channel of an EXR, by name.
+/// Returns the bits of every channel of an EXR, by name.
 fn exr_bits(path: &Path) -> BTreeMap<String, Vec<u32>> {
     let image = read_first_flat_layer_from_file(path).unwrap();
     let channels = image.layer_data.channel_data.list;
@@ -79,7 +79,7 @@ fn exr_bits(path: &Path) -> BTreeMap<String, Vec<u32>> {
         .collect()
 }
 
-/// The bits of every channel of some bands, by name.
+/// Returns the bits of every channel of some bands, by name.
 fn band_bits(bands: &[Band]) -> BTreeMap<String, Vec<u32>> {
     let mut all = BTreeMap::<String, Vec<u32>>::new();
     for band in bands {
@@ -115,7 +115,7 @@ fn exr_keeps_every_bit_however_the_bands_fall() {
         let bytes = fs::read(&path).unwrap();
         assert_eq!(*seen.get_or_insert(bytes.clone()), bytes);
     }
-    // And our own reader finds what was written.
+    // The program's reader also finds the written data.
     let all = bands(13, &[61]);
     let (read, band) = picture(&path).unwrap();
     assert_eq!(band.color, all[0].color);
@@ -171,7 +171,7 @@ fn faults_show_and_large_values_saturate() {
     assert!((tonemapped(Tonemap::Filmic, 1.0) - 2.54 / 3.16).abs() < 1e-12);
 }
 
-/// One row of grays.
+/// Returns one row of grays.
 fn grey_row(values: &[f32]) -> Band {
     Band {
         first_row: 0,
@@ -221,7 +221,7 @@ fn png_rows_come_in_order_whatever_the_bands() {
     image::open(&one).unwrap();
 }
 
-/// A picture with alpha stores it; without, it is the same file to the last byte whether its bands have alpha or not.
+/// Checks that an image with alpha stores it, and that without alpha the file does not depend on the bands' alpha.
 #[test]
 fn alpha_is_stored_where_it_is_asked_for() {
     let folder = folder();
@@ -241,13 +241,13 @@ fn alpha_is_stored_where_it_is_asked_for() {
         if name == "a.exr" {
             let bits = exr_bits(&path);
             assert_eq!(bits.keys().collect::<Vec<_>>(), ["A", "B", "G", "R"]);
-            // Colors stay multiplied by alpha.
+            // Colors stay premultiplied.
             assert_eq!(bits["R"], [0.0_f32, 0.125, 0.25, 0.5].map(f32::to_bits));
             assert_eq!(bits["A"], [0.0_f32, 0.25, 0.5, 1.0].map(f32::to_bits));
         } else {
             let picture = image::open(&path).unwrap();
             assert_eq!(picture.color(), image::ColorType::Rgba8);
-            // 188 is 0.5.
+            // The byte 188 is 0.5.
             let pixels: Vec<_> = picture.into_rgba8().pixels().map(|p| p.0).collect();
             assert_eq!(pixels, [[0; 4], [188, 188, 188, 64], [188, 188, 188, 128], [188, 188, 188, 255]]);
         }
@@ -302,7 +302,7 @@ fn exr_layers_must_be_there_and_of_their_kind() {
     writer.finish().unwrap();
 }
 
-/// The table has what the power has, also on both sides of every place where the byte changes.
+/// Checks that the table agrees with the power, including both sides of every threshold of the byte.
 #[test]
 fn bytes_are_those_of_the_curve() {
     let table = SrgbBytes::table();

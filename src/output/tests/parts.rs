@@ -1,4 +1,4 @@
-//! Pictures cut into parts and put together again.
+//! Tests of images that are cut into parts and merged again.
 
 use std::{fs, path::Path};
 
@@ -10,7 +10,7 @@ use crate::output::{FileSettings, assemble, open};
 use crate::program::Layer;
 use crate::render::{Band, Plane, Window};
 
-/// The part of a picture in a window: a different value at every place of every plane.
+/// Returns the part of an image in a window, with distinct values in every plane.
 fn band(window: Window) -> Band {
     let Window { origin: [left, top], size: [width, rows] } = window;
     let word = |i: u32, seed: u32| {
@@ -44,7 +44,7 @@ fn window(origin: [u32; 2], size: [u32; 2]) -> Window {
     Window { origin, size }
 }
 
-/// A folder with these parts of a picture of 40 by 50, and what putting them together says.
+/// Writes these parts of an image of 40 by 50 to a folder, and merges them.
 fn assembled(
     windows: &[Window],
     change: impl Fn(usize, &mut FileSettings, &mut Band),
@@ -64,7 +64,7 @@ fn assembled(
 
 fn unchanged(_: usize, _: &mut FileSettings, _: &mut Band) {}
 
-/// Windows that cover a picture: a rectangle split at random, some of the pieces grown over their neighbors.
+/// Returns windows that cover an image: a randomly split rectangle with some of the pieces enlarged over their neighbors.
 fn cuts(size: [u32; 2]) -> impl Strategy<Value = Vec<Window>> {
     let cut = (any::<prop::sample::Index>(), any::<bool>(), any::<prop::sample::Index>(), 0..4_u32);
     prop::collection::vec(cut, 0..8).prop_map(move |cuts| {
@@ -90,7 +90,7 @@ fn cuts(size: [u32; 2]) -> impl Strategy<Value = Vec<Window>> {
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(40))]
 
-    /// Whatever the cut and the order, the file is the one that the whole would have been written to.
+    /// Checks that the merged file equals that of the whole for any cut and order.
     #[test]
     fn parts_make_the_whole_to_the_byte(windows in cuts([40, 50])) {
         let (folder, result) = assembled(&windows, unchanged);
@@ -101,7 +101,7 @@ proptest! {
         prop_assert!(made == expected, "{:?}", windows);
     }
 
-    /// Without one of them there is a gap, unless others cover it: then it is named, and nothing is written.
+    /// Checks that a missing part is reported and nothing is written, unless other parts cover it.
     #[test]
     fn a_missing_part_is_named(windows in cuts([40, 50]), lost in any::<prop::sample::Index>()) {
         let mut rest = windows.clone();
@@ -149,7 +149,7 @@ fn parts_that_do_not_belong_together_are_refused() {
     }
 }
 
-/// One bit, the sign of a zero or a bit of a NaN, is a difference.
+/// Checks that one bit, such as the sign of a zero or a bit of a NaN, counts as a difference.
 #[test]
 fn overlaps_that_disagree_are_refused() {
     let halves = [window([0, 0], [40, 30]), window([7, 25], [33, 25]), window([0, 28], [7, 22])];
@@ -167,7 +167,7 @@ fn overlaps_that_disagree_are_refused() {
     }
 }
 
-/// What is no whole EXR of ours says so, and leaves the whole as it was.
+/// Checks that an incomplete or foreign EXR is reported and the output is unchanged.
 #[test]
 fn broken_files_are_refused() {
     let folder = folder();

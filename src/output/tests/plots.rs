@@ -1,4 +1,4 @@
-//! Plots say what they show; `BENTRAY_PLOTS` names a folder to keep them in, to be looked at.
+//! Tests of plots; `BENTRAY_PLOTS` is the path of a folder that receives the plots for inspection.
 
 use std::{
     fs,
@@ -14,7 +14,7 @@ use crate::output::{
     plot::{Chart, Series, check_plot, plot_lines, plot_paths},
 };
 
-/// Runs a plot and returns its file.
+/// Draws a plot and returns its file.
 pub(super) fn bytes(name: &str, plot: impl FnOnce(&Path)) -> Vec<u8> {
     let folder = folder();
     let kept = std::env::var_os("BENTRAY_PLOTS").map(PathBuf::from);
@@ -23,12 +23,12 @@ pub(super) fn bytes(name: &str, plot: impl FnOnce(&Path)) -> Vec<u8> {
     fs::read(path).unwrap()
 }
 
-/// Runs a plot and returns its SVG.
+/// Draws a plot and returns its SVG.
 pub(super) fn svg(name: &str, plot: impl FnOnce(&Path)) -> String {
     String::from_utf8(bytes(name, plot)).unwrap()
 }
 
-/// Runs a plot and returns its PNG, which has the size of the canvas, is white at its edge and shows much else.
+/// Draws a plot and returns its PNG, after a check that it has the canvas size, a white edge and contents.
 pub(super) fn png(name: &str, plot: impl FnOnce(&Path)) -> RgbImage {
     let picture = image::load_from_memory(&bytes(name, plot)).unwrap();
     assert_eq!(picture.color(), ColorType::Rgb8);
@@ -98,7 +98,7 @@ fn odd_charts_are_drawn() {
     assert!(svg.contains("and 36 more"), "{}", svg.len());
 }
 
-/// The part of a picture where something is, `[left, top, right, bottom]`.
+/// Returns the extent of an image's contents, `[left, top, right, bottom]`.
 fn extent(picture: &RgbImage) -> [u32; 4] {
     let drawn = picture.enumerate_pixels().filter(|(_, _, p)| **p != Rgb([255; 3]));
     drawn.fold([u32::MAX, u32::MAX, 0, 0], |[l, t, r, b], (x, y, _)| [l.min(x), t.min(y), r.max(x), b.max(y)])
@@ -110,7 +110,7 @@ fn a_png_shows_the_colours_and_words_of_the_svg() {
     for color in [[0x00, 0x72, 0xb2], [0xd5, 0x5e, 0x00], [0x00, 0x9e, 0x73], [0xcc, 0x79, 0xa7], [0, 0, 0]] {
         assert!(picture.pixels().filter(|p| p.0 == color).count() > 100, "{color:?}");
     }
-    // The title above, the name of the y axis at the left, the legend at the right.
+    // The title is at the top, the name of the y axis at the left, the legend at the right.
     let [left, top, right, bottom] = extent(&picture);
     assert!(left < 100 && top < 70 && right > 1400 && bottom > 1130, "{left} {top} {right} {bottom}");
     let wordless = Chart {
@@ -125,7 +125,7 @@ fn a_png_shows_the_colours_and_words_of_the_svg() {
     png("paths.PNG", |path| plot_paths(path, &all(lines)).unwrap());
 }
 
-/// The place of a label by its text, `[x, y]` of its middle line.
+/// Returns the position of a label by its text, `[x, y]` of its center line.
 fn label(svg: &str, align: &str, text: &str) -> [f64; 2] {
     let is_label = |line: &&str| line.contains(&format!("\"{align}\"")) && line.ends_with(&format!(">{text}</text>"));
     let line = svg.lines().find(is_label).unwrap_or_else(|| panic!("no {text}"));
@@ -161,7 +161,7 @@ fn points_are_where_the_ticks_say() {
         for ([x, y], [x_tick, y_tick]) in places.into_iter().zip(ticks) {
             let expected = [label(&svg, "middle", x_tick)[0], label(&svg, "end", y_tick)[1]];
             assert!((x - expected[0]).abs() < 0.02 && (y - expected[1]).abs() < 0.02, "[{x}, {y}] {expected:?}");
-            // The marker, which is a disc.
+            // The marker, which is a disk.
             assert_eq!(picture.get_pixel(x as u32, y as u32).0, [0, 0x72, 0xb2]);
         }
     }
@@ -173,7 +173,7 @@ fn letters_beyond_ascii_have_shapes() {
         let chart = Chart { title: text.into(), ..Chart::default() };
         png("letter.png", |path| plot_lines(path, &chart).unwrap())
     };
-    // The last of them is in no font.
+    // The last character is in no font.
     let letters = ["τ", "η", "µ", "μ", "θ", "ψ", "°", "–", "…", "×", "ö", "²", "\u{10fffd}"];
     let pictures = letters.map(title);
     for (i, one) in pictures.iter().enumerate() {

@@ -1,11 +1,11 @@
-//! Time against error.
+//! Tests of work–precision diagrams.
 
 use proptest::prelude::*;
 
 use super::plots::{png, svg};
 use crate::output::plot::{PrecisionPlot, Series, pareto_front, plot_precision};
 
-/// The greatest error that is no more than rounding.
+/// The greatest error that counts as rounding.
 const FLOOR: f64 = 3e-7;
 
 const METHODS: [(&str, i32, f64); 14] = [
@@ -25,7 +25,7 @@ const METHODS: [(&str, i32, f64); 14] = [
     ("Gauss–Legendre 6", 6, 14.0),
 ];
 
-/// So many methods with halved steps, whose errors end at the floor.
+/// Returns `methods` curves with halved steps, whose errors end at the floor.
 fn example(methods: usize) -> PrecisionPlot {
     let curves = METHODS[..methods].iter().enumerate().map(|(k, (name, order, cost))| {
         let point = |i: i32| {
@@ -63,7 +63,7 @@ fn it_rings_the_front_and_counts_what_it_cannot_show() {
     let mut plot = example(3);
     let rings = |plot: &PrecisionPlot| {
         let svg = svg("rings.svg", |path| plot_precision(path, plot).unwrap());
-        // One of them is in the legend.
+        // One ring is in the legend.
         let is_ring = |line: &&str| line.contains("fill=\"white\"") && line.contains("stroke-width=\"2\"");
         (svg.lines().filter(is_ring).count() - 1, svg)
     };
@@ -75,7 +75,7 @@ fn it_rings_the_front_and_counts_what_it_cannot_show() {
     let (count, svg) = rings(&plot);
     assert_eq!(count, plot.front().len());
     assert!(svg.contains("4 points have no place") && !svg.contains("wrong"));
-    // What is wrong altogether has a line of its own, also where nothing else is.
+    // A gross error has a separate line, even without other errors there.
     plot.curves[2].points[6] = [f64::INFINITY, 30.0];
     let (count, svg) = rings(&plot);
     assert_eq!(count, plot.front().len());
@@ -97,7 +97,7 @@ fn odd_precision_plots_are_drawn() {
     }
 }
 
-/// Coordinates that often agree, and some that are not finite.
+/// Returns coordinates that often agree, and some that are not finite.
 fn coordinate() -> impl Strategy<Value = f64> {
     prop_oneof![
         8 => (-3i32..6).prop_map(f64::from),
@@ -114,7 +114,7 @@ fn is_finite(point: &[f64; 2]) -> bool {
     point.iter().all(|v| v.is_finite())
 }
 
-/// Whether a point is as good as another in both coordinates, and better in one.
+/// Returns `true` if a point is at least as good as another in both coordinates, and better in one.
 fn dominates(a: &[f64; 2], b: &[f64; 2]) -> bool {
     is_finite(a) && a[0] <= b[0] && a[1] <= b[1] && (a[0] < b[0] || a[1] < b[1])
 }

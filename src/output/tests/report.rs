@@ -1,4 +1,4 @@
-//! Pages and tables of text.
+//! Tests of pages and text tables.
 
 use std::{fs, path::PathBuf};
 
@@ -19,7 +19,7 @@ fn page(title: &str, sections: &[Section]) -> String {
     fs::read_to_string(path).unwrap()
 }
 
-/// A report in which every text is made from this one.
+/// Returns a report in which every text contains this one.
 fn example(text: &str) -> Vec<Section> {
     let table = ReportTable {
         caption: format!("caption {text}"),
@@ -90,7 +90,7 @@ fn a_table_is_aligned() {
     assert_eq!(text_table(&[], &[]), "\n\n");
 }
 
-/// Every `<…>` of a page.
+/// Returns every `<…>` of a page.
 fn tags(html: &str) -> Vec<&str> {
     html.split('<').skip(1).map(|rest| rest.split('>').next().unwrap()).filter(|tag| !tag.contains("alt=")).collect()
 }
@@ -123,7 +123,7 @@ proptest! {
         let table = text_table(&header, &rows);
         let lines: Vec<Vec<char>> = table.lines().map(|line| line.chars().collect()).collect();
         prop_assert_eq!(lines.len(), rows.len() + 2);
-        // The rule says where the columns are.
+        // The rule shows the position of the columns.
         let rule: String = lines[1].iter().collect();
         let mut start = 0;
         for (column, dashes) in rule.split("  ").enumerate() {

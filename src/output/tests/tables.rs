@@ -1,4 +1,4 @@
-//! Tables in and out.
+//! Tests of input and output tables.
 
 use std::fs;
 
@@ -6,7 +6,7 @@ use super::folder;
 use crate::output::csv::{Table, read_rays};
 use crate::render::{PathPoint, Status, Traced};
 
-/// Reads a rays file of this text; an error as its message without the path.
+/// Reads a file of rays with this text, and returns an error as its message without the path.
 fn rays(text: &str) -> Result<Vec<[f64; 6]>, String> {
     let folder = folder();
     let path = folder.path().join("rays.csv");

@@ -1,4 +1,4 @@
-//! What a ray diagram shows.
+//! The contents of a ray diagram.
 
 use glam::DVec3;
 
@@ -8,68 +8,68 @@ use crate::scene::{CutPlane, Outline};
 /// The path of one ray.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PathLine<'a> {
-    /// Where it goes, in scene coordinates.
+    /// The path in scene coordinates.
     pub curve: Curve,
-    /// The name of how the ray ended.
+    /// The termination status of the ray.
     pub status: &'a str,
 }
 
-/// What a line in which something crosses the plane is.
+/// The kind of a surface in a cross section.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum SurfaceKind {
-    /// An object's opaque surface.
+    /// An opaque surface of an object.
     Opaque,
-    /// The surface of an object that light goes through.
+    /// The surface of a transparent object.
     Medium,
-    /// A sphere of the law where rays end, by its name.
+    /// A capture sphere of the law, by its name.
     Capture(&'static str),
-    /// Any other sphere of the law, by its name.
+    /// Another sphere of the law, by its name.
     Limit(&'static str),
 }
 
-/// Where something crosses the plane.
+/// The cross section of a surface with the plane.
 #[derive(Debug, Clone, PartialEq)]
 pub struct CrossSection {
-    /// What it is.
+    /// The kind of the surface.
     pub kind: SurfaceKind,
-    /// Where it crosses.
+    /// The outlines of the cross section.
     pub outlines: Vec<Outline>,
 }
 
-/// Which part of the plane is shown.
+/// The visible range of the plane.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum PlotRange {
     /// All paths and the bounding sphere.
     All,
-    /// The surfaces' box, widened by half; all if there are none.
+    /// The bounding box of the surfaces, enlarged by half; everything if there are no surfaces.
     Objects,
-    /// [left, right, bottom, top] in scene units, at least: a unit is equally long in both directions.
+    /// At least [left, right, bottom, top] in scene units; both axes have one scale.
     Given([f64; 4]),
 }
 
 /// A ray diagram.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PathPlot<'a> {
-    /// The plane that is shown.
+    /// The plane of the diagram.
     pub plane: CutPlane,
-    /// The part of it.
+    /// The visible range.
     pub range: PlotRange,
     /// The paths.
     pub lines: Vec<PathLine<'a>>,
-    /// What crosses the plane.
+    /// The cross sections of surfaces.
     pub surfaces: Vec<CrossSection>,
-    /// Center and radius of the bounding sphere, if it is to be shown.
+    /// The center and radius of the bounding sphere, if it is visible.
     pub bound: Option<(DVec3, f64)>,
-    /// Places to mark, with their spread.
+    /// The foci to mark, with their spread.
     pub foci: Vec<Focus>,
-    /// A point to mark, and how often each path goes round it, in turns.
+    /// A point to mark, with the winding number of each path around it, in turns.
     pub windings: Option<(DVec3, Vec<f64>)>,
-    /// Where the orbits of a flow go in the long run, behind all else.
+    /// The attractor of a flow, drawn behind everything else.
     pub attractor: Option<Curve>,
 }
 
 impl<'a> PathPlot<'a> {
-    /// Paths alone, all of them.
+    /// Creates a diagram of paths alone, with all of them visible.
     #[must_use]
     pub fn new(plane: CutPlane, lines: Vec<PathLine<'a>>) -> Self {
         let surfaces = Vec::new();
@@ -77,7 +77,7 @@ impl<'a> PathPlot<'a> {
         Self { plane, range: PlotRange::All, lines, surfaces, bound, foci, windings, attractor }
     }
 
-    /// The ways in which rays ended, each once, that of most rays first: its line is solid.
+    /// Returns the distinct statuses in order of frequency; the line of the first is solid.
     pub(super) fn statuses(&self) -> Vec<&'a str> {
         let mut statuses: Vec<&str> = Vec::new();
         for line in &self.lines {
@@ -92,7 +92,7 @@ impl<'a> PathPlot<'a> {
 }
 
 impl SurfaceKind {
-    /// Its name in the legend.
+    /// Returns the name in the legend.
     pub(super) fn name(self) -> &'static str {
         match self {
             Self::Opaque => "surface",

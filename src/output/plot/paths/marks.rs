@@ -1,4 +1,4 @@
-//! Foci and windings: markers, and labels that do not cover each other.
+//! Markers of foci and winding numbers, with labels that do not overlap.
 
 use std::f64::consts::FRAC_PI_4;
 
@@ -9,23 +9,23 @@ use super::view::View;
 use crate::output::plot::canvas::{Align, Canvas, Fill, TEXT_SIZE, text_width};
 use crate::output::plot::style::Look;
 
-/// From a marker to its label, in pixels.
+/// The distance from a marker to its label, in pixels.
 const GAP: f64 = 20.0;
-/// The height of a label, in parts of the size of its text.
+/// The height of a label relative to the size of its text.
 const HEIGHT: f64 = 1.2;
-/// What is under a label shines through.
+/// The translucent background of a label.
 const VEIL: Fill = Fill("white", 0.8);
-/// Coordinates below this part of the paths' extent are roundings of zero.
+/// The fraction of the paths' extent below which coordinates count as zero.
 const ROUNDING: f64 = 1e-6;
-/// Directions in which a label is tried, in eighths of a turn.
+/// The directions in which a label is tried, in eighths of a turn.
 const AROUND: [f64; 8] = [0.0, 1.0, -1.0, 2.0, -2.0, 3.0, -3.0, 4.0];
 const AHEAD: [f64; 3] = [0.0, 1.0, -1.0];
-/// The first direction of a focus's label: up to the right.
+/// The first direction for a focus's label: up and right.
 const FOCUS_LABEL: Vec2 = Vec2::new(0.8, -0.6);
-/// Places along a path where its label is tried.
+/// The number of positions along a path where its label is tried.
 const BACK: u32 = 4;
 
-/// Where there are labels already, and where there may be some.
+/// The occupied and available positions of labels.
 pub(super) struct Labels {
     taken: Vec<Rect>,
     room: Rect,
@@ -36,7 +36,7 @@ impl Labels {
         Self { taken: Vec::new(), room: view.window }
     }
 
-    /// Writes a label at the first of some places where there is room; nowhere if there is none.
+    /// Writes a label at the first free position, or not at all if there is none.
     fn put(&mut self, canvas: &mut Canvas, text: &str, places: impl IntoIterator<Item = Point>) {
         let fits = |label: &Rect| {
             self.room.contains_rect(*label) && !self.taken.iter().any(|taken| taken.intersect(*label).area() > 0.0)
@@ -48,13 +48,13 @@ impl Labels {
         canvas.write(text, label.center(), Align::Middle);
     }
 
-    /// Keeps labels off a marker.
+    /// Reserves the area of a marker.
     fn keep_off(&mut self, at: Point) {
         self.taken.push(Rect::from_center_size(at, Size::new(GAP, GAP)));
     }
 }
 
-/// What the legend says of foci and windings.
+/// Returns the legend's lines about foci and winding numbers.
 pub(super) fn notes(plot: &PathPlot) -> Vec<String> {
     let points = plot.lines.iter().flat_map(|line| &line.curve.0).map(|arc| arc[3]);
     let least = ROUNDING * points.map(|p| p.distance(plot.plane.point)).fold(0.0, f64::max);
@@ -71,7 +71,7 @@ pub(super) fn notes(plot: &PathPlot) -> Vec<String> {
     foci.chain(about).collect()
 }
 
-/// Marks where bundles come together.
+/// Marks the foci of bundles.
 pub(super) fn foci(canvas: &mut Canvas, view: &View, plot: &PathPlot, labels: &mut Labels) {
     let places: Vec<_> =
         plot.foci.iter().map(|focus| Some(view.at(focus.place)).filter(|at| view.shows(*at))).collect();
@@ -87,7 +87,7 @@ pub(super) fn foci(canvas: &mut Canvas, view: &View, plot: &PathPlot, labels: &m
     }
 }
 
-/// Marks the point that paths wind about, and writes the turns beside where each is last seen.
+/// Marks the center of winding numbers, and labels each path where it was last visible.
 pub(super) fn windings(
     canvas: &mut Canvas,
     view: &View,
@@ -113,21 +113,21 @@ pub(super) fn windings(
         if ends_at(line, at) {
             labels.put(canvas, &text, beside(&text, at, direction, &AHEAD));
         } else {
-            // On the path where it leaves the window, or further back.
+            // The label is on the path where it leaves the window, or further back.
             let reach = |k: u32| at - direction * (GAP + f64::from(k) * size(&text).to_vec2().hypot() / 2.0);
             labels.put(canvas, &text, (1..=BACK).map(reach));
         }
     }
 }
 
-/// Places for the middle of a label beside another place, at angles in eighths of a turn from `towards`.
+/// Returns positions of the center of a label next to a point, at angles in eighths of a turn from `towards`.
 fn beside(text: &str, at: Point, towards: Vec2, eighths: &[f64]) -> impl Iterator<Item = Point> {
     let half = size(text).to_vec2() / 2.0;
     let sides = eighths.iter().map(move |eighths| towards.rotate_scale(Vec2::from_angle(eighths * FRAC_PI_4)));
     sides.map(move |side| at + side * GAP + Vec2::new(side.x * half.x, side.y * half.y))
 }
 
-/// Width and height of a label in pixels, about.
+/// Returns the approximate width and height of a label in pixels.
 fn size(text: &str) -> Size {
     Size::new(text_width(text), HEIGHT * TEXT_SIZE)
 }
@@ -136,7 +136,7 @@ fn focus_name(i: usize) -> String {
     format!("F{}", i + 1)
 }
 
-/// Four digits, with an exponent where that is shorter.
+/// Formats a number to four digits, with an exponent if this is shorter.
 fn short(value: f64) -> String {
     let tidy: f64 = format!("{value:.3e}").parse().unwrap_or(value);
     if tidy == 0.0 || (1e-3..1e5).contains(&tidy.abs()) { format!("{}", tidy + 0.0) } else { format!("{tidy:e}") }

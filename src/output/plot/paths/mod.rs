@@ -1,8 +1,8 @@
-//! Ray diagrams: paths of rays in a plane, with what they meet.
+//! Ray diagrams: the paths of rays in a plane, with the surfaces that they hit.
 //!
-//! Everything is shown as its shadow on the plane, at one scale in both directions, and cut off at the axes. A path is drawn by how
-//! its ray ended, as cubic arcs, with an arrow for its direction and a marker at its end; surfaces as the lines in which they cross
-//! the plane, those of media lightly filled. Memory grows with the number of arcs.
+//! Everything is projected orthogonally to the plane, at one scale in both directions, and clipped at the axes. The style of a path depends
+//! on its termination status; it is drawn as cubic arcs, with an arrow for its direction and a marker at its end. Surfaces are drawn as
+//! their outlines in the plane, with a light fill for media. Memory grows with the number of arcs.
 
 mod contents;
 mod marks;
@@ -21,7 +21,7 @@ use super::sheet::Sheet;
 use super::style::Look;
 use crate::output::OutputError;
 
-/// Rays whose points are off the plane by more than this part of their extent are said to be.
+/// The distance from the plane, relative to the extent of the points, above which a note reports a ray.
 const OFF_PLANE: f64 = 1e-3;
 
 /// Draws a ray diagram at `path`, as SVG or PNG by its extension.
@@ -29,7 +29,7 @@ pub fn plot_paths(path: &Path, plot: &PathPlot) -> Result<(), OutputError> {
     let with_bound = legend(plot, plot.bound.is_some());
     let sheet = sheet(plot, &with_bound);
     let view = View::new(plot.plane, &sheet);
-    // The legend takes room from the plot, so that the axes come after it.
+    // The legend takes room from the plot, so that the axes follow it.
     let legend = legend(plot, plot.bound.is_some_and(|bound| !strokes::bound(&view, bound).is_empty()));
     let sheet = self::sheet(plot, &legend);
     sheet.save(path, |canvas| draw(canvas, &View::new(plot.plane, &sheet), plot))

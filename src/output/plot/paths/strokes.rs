@@ -1,4 +1,4 @@
-//! Paths of rays and outlines of surfaces on the canvas.
+//! The drawing of rays' paths and surfaces' outlines.
 
 use glam::DVec3;
 use kurbo::{
@@ -11,26 +11,26 @@ use crate::measure::Curve;
 use crate::output::plot::canvas::Canvas;
 use crate::output::plot::style::{Look, ring};
 
-/// Arcs that differ from their chord by less than this many pixels are drawn as lines.
+/// The distance from the chord in pixels below which an arc is drawn as a line.
 const FLAT: f64 = 0.02;
-/// Points nearer than this to the last one, in pixels, are not drawn.
+/// The distance in pixels below which a point is skipped.
 const NEAR: f64 = 0.4;
-/// To how much of a pixel lengths and circles are right.
+/// The error of lengths and circles in pixels.
 const ACCURACY: f64 = 0.01;
-/// Paths that are visible for fewer pixels than this get no arrow.
+/// The visible length in pixels below which a path has no arrow.
 const SHORT: f64 = 60.0;
-/// Where on the visible path its arrow is.
+/// The position of the arrow along the visible path.
 const ARROW_AT: f64 = 0.4;
-/// Length and half the width of an arrow's head in pixels.
+/// The length and half width of an arrow's head in pixels.
 const ARROW: [f64; 2] = [20.0, 7.0];
 
-/// What is seen of the circle that bounds all rays.
+/// Returns the visible part of the bounding circle.
 pub(super) fn bound(view: &View, (center, radius): (DVec3, f64)) -> BezPath {
     let circle = Circle::new(view.at(center), view.length(radius)).to_path(ACCURACY);
     BezPath::from_path_segments(circle.segments().flat_map(|arc| view.visible(arc)))
 }
 
-/// Fills the inside of what has one: a hole of an outline stays empty.
+/// Fills the inside of a closed surface; a hole of an outline stays empty.
 pub(super) fn fill(canvas: &mut Canvas, view: &View, surface: &CrossSection) {
     let Some(opacity) = opacity(surface.kind) else { return };
     let closed = surface.outlines.iter().filter(|outline| outline.closed);
@@ -38,7 +38,7 @@ pub(super) fn fill(canvas: &mut Canvas, view: &View, surface: &CrossSection) {
     canvas.draw(&area, Some(look(surface.kind).fill(opacity)), None);
 }
 
-/// Strokes where a surface crosses the plane.
+/// Strokes the outline of a surface.
 pub(super) fn outline(canvas: &mut Canvas, view: &View, surface: &CrossSection) {
     let mut path = BezPath::new();
     for outline in &surface.outlines {
@@ -58,14 +58,14 @@ fn polygon(view: &View, corners: &[DVec3]) -> BezPath {
     ring(corners.iter().map(|p| view.at(*p)))
 }
 
-/// A curve as far as it is in view: its arcs there.
+/// Draws the visible part of a curve, and returns its arcs.
 pub(super) fn line(canvas: &mut Canvas, view: &View, curve: &Curve, look: Look) -> Vec<PathSeg> {
     let seen: Vec<PathSeg> = curve.0.iter().flat_map(|arc| view.visible(segment(arc.map(|p| view.at(p))))).collect();
     look.stroke(canvas, &thinned(&seen));
     seen
 }
 
-/// Strokes a ray's path with an arrow on it, and says where it is last seen and in which direction it goes there.
+/// Strokes a ray's path with an arrow, and returns its last visible position and its direction there.
 pub(super) fn path(canvas: &mut Canvas, view: &View, curve: &Curve, look: Look) -> Option<[Point; 2]> {
     let seen = line(canvas, view, curve, look);
     if let Some(head) = arrow(&seen) {
@@ -74,14 +74,14 @@ pub(super) fn path(canvas: &mut Canvas, view: &View, curve: &Curve, look: Look) 
     seen.last().map(|last| [last.end(), last.end() + direction(last, 1.0)])
 }
 
-/// A segment that is a curve only if it bends.
+/// Returns a segment, which is a line if it does not bend.
 fn segment([a, b, c, d]: [Point; 4]) -> PathSeg {
     let chord = d - a;
     let off = |p: Point| if chord == Vec2::ZERO { p.distance(a) } else { chord.normalize().cross(p - a).abs() };
     if off(b).max(off(c)) < FLAT { PathSeg::Line(Line::new(a, d)) } else { PathSeg::Cubic(CubicBez::new(a, b, c, d)) }
 }
 
-/// Segments as one path, without those that are too short to be seen.
+/// Joins segments to one path, without those that are too short to be visible.
 fn thinned(segments: &[PathSeg]) -> BezPath {
     let mut path = BezPath::new();
     let mut at: Option<Point> = None;
@@ -101,7 +101,7 @@ fn thinned(segments: &[PathSeg]) -> BezPath {
     path
 }
 
-/// The head of an arrow on a path, if there is room for one.
+/// Returns the head of an arrow on a path, if there is room for one.
 fn arrow(segments: &[PathSeg]) -> Option<BezPath> {
     let lengths: Vec<f64> = segments.iter().map(|segment| segment.arclen(ACCURACY)).collect();
     let whole: f64 = lengths.iter().sum();
@@ -118,14 +118,14 @@ fn arrow(segments: &[PathSeg]) -> Option<BezPath> {
     Some(ring([tip, tip - along * length + aside, tip - along * length - aside]))
 }
 
-/// The unit vector along a segment at a value of its parameter.
+/// Returns the unit tangent of a segment at a parameter.
 fn direction(segment: &PathSeg, t: f64) -> Vec2 {
     let along = segment.to_cubic().deriv().eval(t).to_vec2();
     let along = if along.hypot() > 0.0 { along } else { segment.end() - segment.start() };
     if along.hypot() > 0.0 { along.normalize() } else { Vec2::new(1.0, 0.0) }
 }
 
-/// How something that crosses the plane is drawn.
+/// Returns the style of a surface.
 pub(super) fn look(kind: SurfaceKind) -> Look {
     match kind {
         SurfaceKind::Opaque => Look::SOLID,
@@ -135,7 +135,7 @@ pub(super) fn look(kind: SurfaceKind) -> Look {
     }
 }
 
-/// How much of what is behind it the inside of a surface hides, if light comes or stays in it.
+/// Returns the opacity of a surface's fill, if light enters or ends in it.
 fn opacity(kind: SurfaceKind) -> Option<f64> {
     match kind {
         SurfaceKind::Medium => Some(0.2),

@@ -1,4 +1,4 @@
-//! Which part of the plane is shown, and where it is on the canvas.
+//! The visible range of the plane, and its mapping to the canvas.
 
 use glam::{DVec2, DVec3};
 use kurbo::{CubicBez, ParamCurve, PathSeg, Point, Rect};
@@ -9,16 +9,16 @@ use crate::output::plot::legend::Legend;
 use crate::output::plot::sheet::Sheet;
 use crate::scene::{CutPlane, Outline};
 
-/// By how much a range about objects goes beyond them: by half of their size.
+/// The factor by which a range around objects exceeds them.
 const ROOM: f64 = 1.5;
-/// Surfaces that come nearer to the bound than this part of its radius go on for ever.
+/// The fraction of the bounding radius beyond which a surface counts as unlimited.
 const WITHIN: f64 = 0.99;
-/// What is this near to the window's edge, in pixels, is in it.
+/// The distance to the window's edge in pixels within which points count as visible.
 const EDGE: f64 = 1e-6;
-/// To how much of a pixel lines are cut at the edge.
+/// The error in pixels of clipping at the edge.
 const FINE: f64 = 0.01;
 
-/// Axes on which a unit is equally long, about what is asked for; the shorter side shows more.
+/// Returns axes of equal scale around the requested range; the shorter side shows more.
 pub(super) fn axes(plot: &PathPlot, legend: &Legend) -> (Axis, Axis) {
     let [right, up] = plot.plane.names().map(|name| format!("{name} (scene units)"));
     let (mut x, mut y) = if let Some([low, high]) = asked(plot) {
@@ -35,13 +35,13 @@ pub(super) fn axes(plot: &PathPlot, legend: &Legend) -> (Axis, Axis) {
     (x, y)
 }
 
-/// The corners of the part that is asked for; none for everything.
+/// Returns the corners of the requested range, or `None` for everything.
 fn asked(plot: &PathPlot) -> Option<[DVec2; 2]> {
     match plot.range {
         PlotRange::All => None,
         PlotRange::Given([left, right, bottom, top]) => Some([DVec2::new(left, bottom), DVec2::new(right, top)]),
         PlotRange::Objects => {
-            // A floor that goes on to the bound is no place to look at, unless there is nothing else.
+            // A floor that extends to the bounding sphere is ignored, unless there is nothing else.
             let is_whole = |outline: &&Outline| outline.points.iter().all(|p| is_well_within(*p, plot.bound));
             let outlines = || plot.surfaces.iter().flat_map(|surface| &surface.outlines);
             about(outlines().filter(is_whole), plot).or_else(|| about(outlines(), plot))
@@ -53,7 +53,7 @@ fn is_well_within(p: DVec3, bound: Option<(DVec3, f64)>) -> bool {
     bound.is_none_or(|(center, radius)| p.distance(center) < WITHIN * radius)
 }
 
-/// A box about outlines, with room, as far as rays come.
+/// Returns an enlarged box around outlines, limited to the extent of rays.
 fn about<'o>(outlines: impl Iterator<Item = &'o Outline>, plot: &PathPlot) -> Option<[DVec2; 2]> {
     let within = |p: DVec2| {
         plot.bound.map_or(p, |(center, radius)| {
@@ -70,7 +70,7 @@ fn about<'o>(outlines: impl Iterator<Item = &'o Outline>, plot: &PathPlot) -> Op
     (half.max_element() > 0.0 && half.is_finite()).then(|| [middle - half, middle + half])
 }
 
-/// All paths and the bound.
+/// Returns points of all paths and of the bounding sphere.
 fn everything(plot: &PathPlot) -> Vec<DVec2> {
     let flat = |p| DVec2::from(plot.plane.flat(p));
     let arcs = plot.lines.iter().flat_map(|line| &line.curve.0);
@@ -81,11 +81,11 @@ fn everything(plot: &PathPlot) -> Vec<DVec2> {
     points
 }
 
-/// From the scene to the canvas.
+/// The mapping of the scene to the canvas.
 pub(super) struct View<'s> {
     plane: CutPlane,
     sheet: &'s Sheet<'s>,
-    /// What is shown, in pixels.
+    /// The visible range in pixels.
     pub window: Rect,
 }
 
@@ -94,12 +94,12 @@ impl<'s> View<'s> {
         Self { plane, sheet, window: sheet.window() }
     }
 
-    /// Where the shadow of a point of the scene is on the canvas.
+    /// Returns the canvas position of a scene point's projection.
     pub fn at(&self, p: DVec3) -> Point {
         self.sheet.at(self.plane.flat(p))
     }
 
-    /// A length in pixels.
+    /// Returns a length in pixels.
     pub fn length(&self, units: f64) -> f64 {
         units * self.window.width() / self.sheet.x.span()
     }
@@ -108,8 +108,8 @@ impl<'s> View<'s> {
         self.window.inflate(EDGE, EDGE).contains(at)
     }
 
-    /// The parts of a segment in the window, in order, found by halves. The canvas cuts at the window itself; but what is far larger
-    /// than it has too many dashes to draw, and a label or an arrow belongs on a part that is seen.
+    /// Returns the parts of a segment in the window, in order, by bisection. The canvas clips as well; but a much larger segment has too
+    /// many dashes to draw, and a label or an arrow belongs to a visible part.
     pub fn visible(&self, segment: PathSeg) -> Vec<PathSeg> {
         let window = self.window.inflate(EDGE, EDGE);
         let mut seen: Vec<[f64; 2]> = Vec::new();
