@@ -1,7 +1,7 @@
-//! What the device can do at most, by kernels that do nothing else.
+//! The limits of the device, measured by kernels that do nothing else.
 //!
-//! *Practice.* These three bind a buffer and a texture of their own, and are timed from submission to completion: each takes long
-//! enough for what that adds not to count.
+//! *Practice.* These three kernels bind a separate buffer and texture, and are timed from submission to completion. Each takes long enough
+//! to make the overhead negligible.
 
 use std::time::{Duration, Instant};
 
@@ -16,15 +16,15 @@ use crate::gpu::{GpuError, Pipeline};
 use crate::program::{Binding, BindingKind, Parts, ProgramError, Unit, constant, link, part, reflect};
 use crate::render::RenderError;
 
-/// Invocations of the arithmetic kernel.
+/// The number of invocations of the arithmetic kernel.
 const INVOCATIONS: u32 = 1 << 16;
-/// Width and height of the texture, a texel of which is 16 bytes.
+/// The width and height of the texture, whose texels have 16 bytes.
 const SIDE: u32 = 2048;
-/// Chains of the arithmetic kernel, and floating-point operations of one link.
+/// The number of chains of the arithmetic kernel, and of floating-point operations per link.
 const CHAINS: f64 = 16.0;
 const OPERATIONS: f64 = 2.0;
 
-/// Fused multiply-adds, and reading and writing texels.
+/// Measures fused multiply-adds, and reads and writes of texels.
 pub(super) fn ceilings(bench: &Bench) -> Result<Table, RenderError> {
     let mut table = Table::new("ceilings", "The device's own ceilings", "what | rate | unit | spread");
     let iterations = constant("ceiling/multiply_add", "ITERATIONS");

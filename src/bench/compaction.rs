@@ -1,4 +1,4 @@
-//! What compaction is worth, a dense list of the active rays: where few go on, scattered over the picture, and where all do.
+//! The benefit of active-ray compaction, for few active rays scattered over the image, and for all rays active.
 
 use super::paper::{by, fused_segments, run};
 use super::{Bench, Report, Table, Times};
@@ -6,11 +6,11 @@ use crate::program::{Masks, Schedule};
 use crate::render::RenderError;
 use crate::scene::Scene;
 
-/// The schedules that are compared, with K where it counts.
+/// The schedules to compare, with K if it matters.
 const SCHEDULES: [(Schedule, u32); 4] =
     [(Schedule::Segment, 1), (Schedule::Fused, 4), (Schedule::Fused, 16), (Schedule::Fused, 1024)];
 
-/// Each of the scenes, by name, without masks, with masks, and with masks and the list.
+/// Measures each scene, by name, without masks, with masks, and with masks and compaction.
 pub fn compaction(bench: &Bench, scenes: &[(String, Scene)]) -> Result<Report, RenderError> {
     let header =
         "scene | schedule | K | no masks (s) | masks (s) | list (s) | spread (masks) | spread (list) | list over masks";
@@ -40,7 +40,7 @@ pub fn compaction(bench: &Bench, scenes: &[(String, Scene)]) -> Result<Report, R
     })
 }
 
-/// Without masks, once, for that takes many times as long; with masks alone and with the list, by turns.
+/// Measures without masks once, because that takes many times as long, and with masks and with compaction by turns.
 fn times(bench: &Bench, scene: &Scene, schedule: Schedule, segments: u32) -> Result<[Times; 3], RenderError> {
     let run = |masks| run(bench, scene, by(schedule, masks, segments));
     let (mut off, mut grid, mut list) = (run(Masks::Off)?, run(Masks::Grid)?, run(Masks::List)?);

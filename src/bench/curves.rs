@@ -1,7 +1,7 @@
-//! G95's Table 2 for one scene: rays along a curve, as a tree of boxes or step by step, against a hierarchy of objects, a grid or nothing.
+//! G95 Table 2 for one scene: rays along a curve, as a tree of boxes or in steps, against an object hierarchy, a grid or no structure.
 //!
-//! *Practice.* Helices through boxes in a cube: the more there are, the smaller, so that they fill as much of it. Steps are chords, as his
-//! are, as long as keeps them as near to the curve as the tree's pieces stay. The whole picture is timed.
+//! *Practice.* Helices cross boxes in a cube; more boxes are smaller, so that they fill an equal volume. Steps are chords as in G95, with a
+//! length that keeps them as close to the curve as the pieces of the tree. The whole image is timed.
 
 use std::fmt::Write as _;
 
@@ -12,12 +12,12 @@ use crate::render::{RenderError, RenderSettings, Renderer};
 use crate::scene::Scene;
 
 const COUNTS: [u32; 5] = [10, 100, 1_000, 10_000, 100_000];
-/// Without a structure up to here.
+/// The largest number of boxes without an acceleration structure.
 const MOST_UNSTRUCTURED: u32 = 1_000;
-/// How far chords are from the curve, at most, in scene units.
+/// The largest distance of chords from the curve, in scene units.
 const OFF: f64 = 1e-4;
 
-/// A way to intersect: his name for it, or what he left out; its keys; and has it a structure?
+/// An intersection method: the name in G95 or an addition, its keys, and whether it has a structure.
 struct Way {
     name: &'static str,
     keys: String,
@@ -25,7 +25,7 @@ struct Way {
 }
 
 fn ways() -> [Way; 6] {
-    // The helix's second derivative is 4: a chord over h is h²/2 off it.
+    // The second derivative of the helix is 4: a chord over h has a distance of h²/2.
     let step = (2.0 * OFF).sqrt();
     let steps =
         format!("method = \"rk4\"\nstep = {step}\nsegment = \"chord\"\nsteps_per_segment = 1\nscaled_step = 1e3\n");
@@ -45,7 +45,7 @@ fn ways() -> [Way; 6] {
     ]
 }
 
-/// Times by number of boxes and way, and over that of bvh/hier; and a chart of them.
+/// Returns the times by number of boxes and method, and relative to bvh/hier, with a chart.
 pub(super) fn curves(bench: &Bench) -> Result<(Table, Chart), RenderError> {
     let header = "boxes | rays / objects | device (s) | spread | microseconds a ray | over bvh/hier";
     let mut table = Table::new("curves", "Rays along helices", header);
@@ -80,7 +80,7 @@ fn scene([width, height]: [u32; 2], count: u32, keys: &str) -> Result<Scene, Ren
          [rays]\nbounding_sphere = {{ radius = 15 }}\nmax_segments = 2000\n{keys}\
          [materials.m]\ndiffuse = [0.8, 0.6, 0.4]\n[[lights]]\nkind = \"point\"\nposition = [10, -20, 20]\n"
     );
-    // Boxes fill a thirtieth of a cube of side 10. Roberts's R3 sequence.
+    // The boxes fill a thirtieth of a cube of side 10, at points of Roberts's R3 sequence.
     let side = 10.0 * (1.0 / (30.0 * f64::from(count))).cbrt();
     for i in 0..count {
         let at =

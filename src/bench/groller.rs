@@ -1,9 +1,8 @@
-//! Gröller's comparison (G95 §4): how the time to intersect grows with the number of triangles, by a hierarchy, by a grid, and by
-//! nothing.
+//! Gröller's comparison (G95 §4): the growth of intersection time with the number of triangles, for a hierarchy, a grid, and no structure.
 //!
-//! *Practice.* One mesh stands for all: below its own number of triangles it is coarsened by merging the vertices in each cell of a
-//! grid, above it its triangles are cut up. So it fills the same part of the picture throughout, and what grows is the search.
-//! Intersection is timed by itself, in passes of its own.
+//! *Practice.* All sizes use one mesh: for fewer triangles it is coarsened by merging the vertices in each cell of a grid, for more its
+//! triangles are subdivided. It therefore covers an equal part of the image, and only the search grows. Intersection is timed separately,
+//! in dedicated passes.
 
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -20,11 +19,11 @@ use crate::render::{RenderError, RenderSettings, Renderer};
 use crate::scene::{Accelerate, Mesh, Scene, Vertex};
 
 const COUNTS: [usize; 6] = [10, 100, 1_000, 10_000, 100_000, 1_000_000];
-/// Without a structure up to here.
+/// The largest number of triangles without an acceleration structure.
 const MOST_UNSTRUCTURED: usize = 10_000;
 const STRUCTURES: [(&str, Accelerate); 3] =
     [("bvh", Accelerate::Hierarchy), ("grid", Accelerate::Grid), ("none", Accelerate::None)];
-/// With the part of the viewport's width and height that is rendered by a structure.
+/// The laws, with the divisor of the viewport's width and height in renders with a structure.
 const LAWS: [(&str, &str, u32); 2] = [
     ("straight", "[law]\nkind = \"straight\"\n[rays]\nmax_segments = 2\n", 1),
     (
@@ -34,7 +33,7 @@ const LAWS: [(&str, &str, u32); 2] = [
     ),
 ];
 
-/// Times by law, number and structure, on this mesh.
+/// Measures times by law, number of triangles and structure, for this mesh.
 pub fn groller(bench: &Bench, mesh: &Mesh) -> Result<Report, RenderError> {
     let header = "law | triangles | structure | intersect (s) | spread | ns a segment | build (s)";
     let mut times = Table::new("times", "Intersection alone", header);
@@ -82,16 +81,16 @@ pub fn groller(bench: &Bench, mesh: &Mesh) -> Result<Report, RenderError> {
     })
 }
 
-/// How far a number of triangles is from a thousand.
+/// Returns the distance of a number of triangles from a thousand.
 fn away(count: f64) -> f64 {
     (count / 1e3).ln().abs()
 }
 
 struct Measured {
     times: Times,
-    /// Seconds a segment.
+    /// The time per segment in seconds.
     each: f64,
-    /// Seconds on the host to build the structure.
+    /// The time in seconds in which the host builds the structure.
     build: f64,
 }
 
@@ -129,7 +128,7 @@ fn scene(
     Ok(scene)
 }
 
-/// About so many triangles of the mesh's form, in the unit sphere.
+/// Returns about `wanted` triangles in the form of the mesh, in the unit sphere.
 fn with_triangles(mesh: &Mesh, wanted: usize) -> Mesh {
     let (lo, hi) = mesh.vertices.iter().fold((Vec3::INFINITY, Vec3::NEG_INFINITY), |(lo, hi), vertex| {
         (lo.min(vertex.position), hi.max(vertex.position))
@@ -141,7 +140,7 @@ fn with_triangles(mesh: &Mesh, wanted: usize) -> Mesh {
     cut_up(&coarsened(&own, wanted / (parts * parts)), parts)
 }
 
-/// At most so many triangles, by merging the vertices in each cell of the finest grid that is coarse enough; a dozen at least.
+/// Returns at most `most` triangles, but at least a dozen, by merging the vertices in each cell of the finest sufficient grid.
 fn coarsened(mesh: &Mesh, most: usize) -> Mesh {
     if mesh.triangles.len() <= most {
         return mesh.clone();
@@ -154,7 +153,7 @@ fn coarsened(mesh: &Mesh, most: usize) -> Mesh {
     merged(mesh, few)
 }
 
-/// With one vertex for each cell, of `cells` along the unit sphere's radius.
+/// Merges vertices to one per cell, with `cells` along the radius of the unit sphere.
 fn merged(mesh: &Mesh, cells: usize) -> Mesh {
     let mut of_cell = BTreeMap::new();
     let mut sums: Vec<(Vec3, Vec3, f32)> = Vec::new();
@@ -179,7 +178,7 @@ fn merged(mesh: &Mesh, cells: usize) -> Mesh {
     Mesh::new(sums.iter().map(vertex).collect(), triangles.collect())
 }
 
-/// Every triangle in n² of the same form.
+/// Subdivides every triangle into n² similar ones.
 fn cut_up(mesh: &Mesh, n: usize) -> Mesh {
     let (mut vertices, mut triangles) = (Vec::new(), Vec::new());
     for corners in &mesh.triangles {
@@ -213,7 +212,7 @@ fn cut_up(mesh: &Mesh, n: usize) -> Mesh {
 mod tests {
     use super::*;
 
-    /// An octahedron round the origin, in 2592 triangles.
+    /// Returns an octahedron around the origin, in 2592 triangles.
     fn octahedron() -> Mesh {
         let corners = [Vec3::X, Vec3::Y, Vec3::Z, Vec3::NEG_X, Vec3::NEG_Y, Vec3::NEG_Z];
         let vertex = |position: Vec3| Vertex { position, normal: position, uv: Vec2::ZERO };

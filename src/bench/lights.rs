@@ -1,8 +1,8 @@
-//! Light along bent paths, in three ways: straight shadows whatever the law, a grid of light directions, and shooting (G95 §6).
+//! Three methods for light along bent paths: straight shadows under any law, a grid of light directions, and shooting (G95 §6).
 //!
-//! *Practice.* A room with a ball and two pillars, and a lamp, under three laws. At scattered places the grid's direction is held against the
-//! sum of all paths that shooting finds, voxel by voxel size. Pictures are held against shooting in 64 bits where the device has them, and
-//! timed as a whole: the grid made, the passes run, the picture read.
+//! *Practice.* The scene is a room with a ball, two pillars and a light, under three laws. At scattered positions the grid's direction is
+//! compared with the sum of all paths of the shooting method, for each voxel size. Images are compared with shooting in 64 bits if the
+//! device supports them, and timed as a whole: creation of the grid, passes, and transfer of the image.
 
 use std::cell::{self, RefCell};
 use std::time::{Duration, Instant};
@@ -27,21 +27,21 @@ const LAWS: [(&str, &str); 3] = [
     ),
 ];
 const LAMP: DVec3 = DVec3::new(-3.0, 3.6, 2.0);
-/// Voxels along the room's longest side.
+/// The numbers of voxels along the room's longest side.
 const VOXELS: [u32; 4] = [16, 32, 64, 128];
-/// Those of grids with parts.
+/// The numbers of voxels of subdivided grids.
 const REFINED: [u32; 3] = [16, 32, 64];
-/// Bytes of one.
+/// The number of bytes of a mebibyte.
 const MEBIBYTE: f64 = 1_048_576.0;
 
-/// Places at which directions are compared.
+/// The number of positions at which directions are compared.
 const PLACES: u32 = 4000;
-/// Places that get less than this part of what the lamp would give them on a straight line are not compared: they lie in shadow.
+/// The fraction of the light along a straight line below which a position is in shadow and is not compared.
 const FAINT: f64 = 0.01;
-/// A pixel with less than this part of what it has without shadows, or of the mean, is in shadow: what winds about a center is fainter.
+/// The fraction of the unshadowed value or of the mean below which a pixel is in shadow; light that winds around a center is fainter.
 const LIT: f32 = 0.05;
 
-/// Directions by voxel size, and time against error.
+/// Measures directions by voxel size, and time against error.
 pub fn lights(bench: &Bench) -> Result<Report, RenderError> {
     let header =
         "law | voxels | mean angle (rad) | over the last | by light (rad) | places | made in (s) | MiB | paths";
@@ -86,7 +86,7 @@ fn room([width, height]: [u32; 2], law: &str) -> Result<Scene, RenderError> {
     own_scene(&text)
 }
 
-/// The scene with its light in another way.
+/// Returns the scene with changed lights.
 fn with_light(scene: &Scene, change: impl FnMut(&mut Light)) -> Scene {
     let mut scene = scene.clone();
     scene.lights.iter_mut().take(1).for_each(change);
@@ -97,14 +97,14 @@ fn gridded(scene: &Scene, voxels: u32, refine: u32) -> Scene {
     with_light(scene, |light| light.grid = LightGrid { voxels, refine, paths: LightGrid::usual_paths(voxels) })
 }
 
-/// Scattered in the room: Roberts's R3 sequence.
+/// Returns scattered positions in the room, from Roberts's R3 sequence.
 fn places() -> Vec<DVec3> {
     let at = |i: u32, r: f64| (f64::from(i) * r).fract();
     let place = |i| DVec3::new(at(i, 0.819_172_513_396), at(i, 0.671_043_606_703), at(i, 0.549_700_477_901));
     (0..PLACES).map(|i| place(i) * DVec3::new(5.6, 2.4, 5.2) + DVec3::new(-2.8, 0.15, -2.6)).collect()
 }
 
-/// Mean angles by voxels along the longest side.
+/// Returns mean angles by the number of voxels along the longest side.
 fn directions(bench: &Bench, name: &str, scene: &Scene, table: &mut Table) -> Result<Vec<[f64; 2]>, RenderError> {
     let settings = RenderSettings::default();
     let places = places();
@@ -138,7 +138,7 @@ fn directions(bench: &Bench, name: &str, scene: &Scene, table: &mut Table) -> Re
     Ok(points)
 }
 
-/// One color of a picture, the whole time that it took, and that of the grid.
+/// Returns one color of an image, its total time, and the time of its grid.
 fn picture(bench: &Bench, scene: &Scene) -> Result<(Vec<f32>, f64), RenderError> {
     let mut renderer = Renderer::new(bench.gpu, scene, RenderSettings::default())?;
     let grid = renderer.light_reports().iter().map(|report| report.wall.as_secs_f64()).sum();
@@ -146,12 +146,12 @@ fn picture(bench: &Bench, scene: &Scene) -> Result<(Vec<f32>, f64), RenderError>
     Ok((red, grid))
 }
 
-/// A way to light a picture, and what came of it last.
+/// A lighting method, with the last result.
 struct Way {
     name: String,
     scene: Scene,
     picture: RefCell<Vec<f32>>,
-    /// Seconds that its grid took.
+    /// The time of its grid in seconds.
     grid: cell::Cell<f64>,
 }
 
@@ -161,7 +161,7 @@ impl Way {
     }
 }
 
-/// Time and error of each way; a chart of them.
+/// Measures time and error of each method, and returns a chart.
 fn errors(bench: &Bench, name: &str, scene: &Scene, table: &mut Table) -> Result<Chart, RenderError> {
     let shadows = |shadows| with_light(scene, |light| light.shadows = shadows);
     let mut exact = shadows(Shadows::Shooting);
@@ -192,22 +192,22 @@ fn errors(bench: &Bench, name: &str, scene: &Scene, table: &mut Table) -> Result
         let grid = Some(way.grid.get()).filter(|seconds| *seconds > 0.0);
         let numbers = [times.median, times.spread, compared.error, 100.0 * compared.agree].map(Some);
         table.row(&[name, &way.name], numbers.into_iter().chain([grid]));
-        // All sizes of a grid are one line.
+        // All sizes of a grid share one line.
         let kind = way.name.replace(|c: char| c.is_ascii_digit(), "").replace(" ,", ",").trim_end().to_owned();
         Series::extend(&mut series, &kind, [times.median, compared.error]);
     }
     Ok(Chart::logarithmic(format!("Light about {name}"), ["time (s)", "mean error"], series))
 }
 
-/// How far a picture is from the truth.
+/// The difference of an image from the reference.
 struct Compared {
     error: f64,
-    /// Of the pixels that face the lamp on some path, the part that is lit or not as the truth is.
+    /// The fraction of the pixels facing the light on some path whose lit or shadowed state agrees with the reference.
     agree: f64,
 }
 
 impl Compared {
-    /// `open` is the picture without shadows.
+    /// Compares two images; `open` is the image without shadows.
     fn new(found: &[f32], truth: &[f32], open: &[f32]) -> Self {
         let sum = |values: &mut dyn Iterator<Item = f64>| values.sum::<f64>();
         let off = sum(&mut found.iter().zip(truth).map(|(a, b)| f64::from((a - b).abs())));

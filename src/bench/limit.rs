@@ -1,4 +1,4 @@
-//! How far from the device's limit a render is: its steps by themselves, and the device's own ceilings.
+//! The distance of a render from the device's limit: its bare steps, and the device's ceilings.
 
 use std::time::Duration;
 
@@ -10,10 +10,10 @@ use crate::program::{Choice, Purpose, Schedule};
 use crate::render::{RenderError, RenderSettings, Renderer, Starts, Tracer};
 use crate::scene::Scene;
 
-/// Iterations that a bare loop has room for on any device.
+/// The number of iterations that a bare loop supports on any device.
 const MOST_STEPS: u32 = 20_000;
 
-/// The device's ceilings, and for each of the scenes, by name, what share of its advance passes its bare steps are.
+/// Measures the device's ceilings, and for each scene, by name, the share of bare steps in its advance passes.
 pub fn limit(bench: &Bench, scenes: &[(String, Scene)]) -> Result<Report, RenderError> {
     let header = "scene | method | K | rays | steps a ray | evaluations a ray | bare (ns a step) | fused (ns a step) | \
                   whole (ns a step) | faster over bare | spread (bare) | spread (fused) | spread (whole)";
@@ -86,8 +86,8 @@ fn add(bench: &Bench, name: &str, scene: &Scene, [table, shares]: [&mut Table; 2
     Ok(())
 }
 
-/// Returns the time per ray of both schedules in nanoseconds, and the fraction that each stage takes, from the medians of each; they are
-/// not finite without timestamps.
+/// Returns the time per ray of both schedules in nanoseconds, and the fraction of each stage, from the medians of each; without timestamps
+/// they are not finite.
 fn times_and_shares(stages: &[[Duration; 5]], bare: f64, whole: f64, rays: f64) -> [f64; 6] {
     let stage =
         |k: usize| Times::from(stages.iter().skip(1).map(|stages| stages[k].as_secs_f64()).collect::<Vec<_>>()).median;
@@ -98,7 +98,7 @@ fn times_and_shares(stages: &[[Duration; 5]], bare: f64, whole: f64, rays: f64) 
     [whole, all, setup, bare, segments, shade]
 }
 
-/// How many steps the ray of each pixel takes, if it takes any and no surface bends it.
+/// Returns the number of steps of each pixel's ray, if it takes steps and no surface deflects it.
 fn steps(bench: &Bench, scene: &Scene) -> Result<Option<Vec<u32>>, RenderError> {
     if scene.rays.method == CLOSED_FORMS || scene.scatters() {
         return Ok(None);

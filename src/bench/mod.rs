@@ -1,8 +1,9 @@
-//! Measurements that anyone can repeat: the sources' own tables, how time grows, and how far from the device's limit a render is.
+//! Reproducible measurements: the tables of the published sources, the growth of time, and the distance of a render from the device's
+//! limit.
 //!
-//! *Practice.* What is compared is measured in one run, by turns where it is two of a kind; every time is the median of repeats,
-//! after one that compiles, and stands beside its spread, the longest over the shortest. A measurement is a [`Report`]: text, a
-//! table for each in CSV, JSON, and a part of a page.
+//! *Practice.* Values to compare are measured in one run, in alternation for two of a kind. Every time is the median of repeats, after a
+//! first run that compiles, with its spread, the ratio of the longest to the shortest. A measurement is a [`Report`]: text, a CSV file per
+//! table, JSON, and a section of a page.
 
 mod ceiling;
 mod compaction;
@@ -41,19 +42,19 @@ pub use shadow::{CRITICAL, shadow_edge};
 pub use start::start;
 pub use times::Times;
 
-/// Where and how to measure.
+/// The device and the settings of measurements.
 #[derive(Debug, Clone, Copy)]
 pub struct Bench<'a> {
     /// The device.
     pub gpu: &'a Gpu,
-    /// Each time is the median of so many.
+    /// The number of repeats, whose median is each time.
     pub repeats: usize,
-    /// Width and height of pictures: the paper's 800×600 unless it is a trial.
+    /// The width and height of images: 800×600 as in W04, except in trials.
     pub size: [u32; 2],
 }
 
 impl Bench<'_> {
-    /// Returns the number of pixels of a picture.
+    /// Returns the number of pixels of an image.
     fn pixels(&self) -> f64 {
         f64::from(self.size[0]) * f64::from(self.size[1])
     }

@@ -1,10 +1,9 @@
-//! The 2004 paper's measurements (W04 §6): Table 1's four laws, Figure 5's growing number of spheres, and what its steps see of a
-//! black hole's shadow.
+//! The measurements of Weiskopf et al. (2004), W04 §6: the four laws of Table 1, the growing number of spheres of Figure 5, and the shadow
+//! edge of a black hole by their steps.
 //!
-//! The paper names the viewport (800×600), the number of spheres, segments and steps, but not the scene, the camera or the step:
-//! these are ours. "No acceleration" is every pixel in every pass with a fixed step; "2004" is early termination and step
-//! doubling by the paper's rule; "here" is the method that `auto` would take for the same law, by arcs and with masks, whose error
-//! stands beside its time.
+//! W04 specifies the viewport (800×600) and the number of spheres, segments and steps, but not the scene, the camera or the step size,
+//! which are chosen here. "No acceleration" processes every pixel in every pass with a fixed step; "2004" uses early termination and step
+//! doubling by the rule of W04; "here" is the method that `auto` selects for each law, with arcs and masks, and its error next to its time.
 
 use std::fmt::Write as _;
 use std::time::Duration;
@@ -17,8 +16,8 @@ use crate::program::{Choice, Masks, Schedule};
 use crate::render::{RenderError, RenderSettings, Renderer};
 use crate::scene::Scene;
 
-/// A law of Table 1: its name there, its keys, those that leave us the choice between its forms, and the seconds that the paper
-/// took without and with acceleration.
+/// A law of Table 1: its name there, its keys, the keys that leave the choice of its form open, and the times in seconds that W04 reports
+/// without and with acceleration.
 struct Law {
     name: &'static str,
     keys: &'static str,
@@ -38,30 +37,30 @@ const POTENTIAL: &str =
     "kind = \"sources\"\nsources = [{ position = [0, 0, 0], strength = 0.02, falloff = { cubic = 12 } }]";
 const INDEX: &str =
     "kind = \"medium\"\nindex = { kind = \"explosion\", radius = 12, amplitude = 0.1, frequency = 0.4 }";
-/// As the paper integrates it.
+/// The geodesic equation that W04 integrates.
 pub(super) const GEODESIC: &str = "kind = \"schwarzschild\"\nform = \"geodesic\"";
-/// The same spacetime.
+/// The same spacetime with any equation.
 pub(super) const SCHWARZSCHILD: &str = "kind = \"schwarzschild\"";
 
-/// The fixed Euler step of the benchmark's scene: 300 of them lead from the camera through it.
+/// The fixed Euler step of the benchmark's scene, which 300 steps cross from the camera.
 const STEP: f64 = 0.15;
-/// The error that 95 of 100 rays may have by our own method, radians.
+/// The largest error of 95 of 100 rays by the method of `auto`, in radians.
 const ACCURACY: &str = "1e-2";
-/// Spheres of Figure 5.
+/// The numbers of spheres in Figure 5.
 const SPHERES: [u32; 6] = [1, 10, 20, 30, 40, 50];
 
-/// How the benchmark's rays are followed.
+/// The integration of the benchmark's rays.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum How {
     /// Fixed Euler steps.
     Plain,
-    /// Euler's step doubled by the paper's rule.
+    /// Euler steps with step doubling by the rule of W04.
     Published,
-    /// By arcs, the method left open.
+    /// Arcs with the method of `auto`.
     Ours,
 }
 
-/// Table 1, Figure 5 and the shadow.
+/// Measures Table 1, Figure 5 and the shadow.
 pub fn paper(bench: &Bench) -> Result<Report, RenderError> {
     let figure = figure(bench)?;
     let spheres = |row: usize| figure.rows.iter().map(move |cells| [number(&cells[0]), number(&cells[row])]).collect();
@@ -86,7 +85,7 @@ fn number(cell: &Cell) -> f64 {
     if let Cell::Number(number) = cell { *number } else { f64::NAN }
 }
 
-/// Table 1: four laws, 300 steps in 30 segments over 10 spheres, by the fused schedule.
+/// Measures Table 1: four laws, 300 steps in 30 segments over 10 spheres, with the fused schedule.
 fn table(bench: &Bench) -> Result<Table, RenderError> {
     let header = "law | 2004: none (s) | none (s) | spread | 2004: accelerated (s) | accelerated as in 2004 (s) | spread | \
                   gain in 2004 | gain | here (s) | spread | method | error (rad, 99 %) | gain here";
@@ -108,7 +107,7 @@ fn table(bench: &Bench) -> Result<Table, RenderError> {
     Ok(table)
 }
 
-/// Figure 5: 500 steps in 50 segments over a growing number of spheres.
+/// Measures Figure 5: 500 steps in 50 segments over a growing number of spheres.
 fn figure(bench: &Bench) -> Result<Table, RenderError> {
     let header = "spheres | none (s) | accelerated as in 2004 (s) | here (s) | spread (none) | spread (here)";
     let mut table = Table::new("figure5", "Figure 5: 500 steps in 50 segments, Schwarzschild", header);
@@ -131,7 +130,7 @@ fn figure(bench: &Bench) -> Result<Table, RenderError> {
     Ok(table)
 }
 
-/// What one more sphere costs, by the straight line nearest to the figure's times.
+/// Returns the cost of one more sphere, from the linear fit to the figure's times.
 fn slopes(figure: &Table) -> Table {
     let mut table = Table::new("slopes", "Figure 5: what one more sphere costs", "how | ms a sphere | of none");
     let each = |column: usize| slope(figure.rows.iter().map(|cells| [number(&cells[0]), number(&cells[column])]));
@@ -141,7 +140,7 @@ fn slopes(figure: &Table) -> Table {
     table
 }
 
-/// The shadow's edge.
+/// Measures the edge of the shadow.
 fn shadow(bench: &Bench) -> Result<Table, RenderError> {
     let methods = [
         ("Euler, h = 0.15", "method = \"euler\"\nstep = 0.15"),
@@ -162,7 +161,7 @@ fn shadow(bench: &Bench) -> Result<Table, RenderError> {
     Ok(table)
 }
 
-/// The scene by the method that `auto` takes, its words and its error.
+/// Returns the scene with the method of `auto`, its settings, its description and its error.
 fn own(bench: &Bench, keys: &str, spheres: u32) -> Result<(Scene, RenderSettings, String, Cell), RenderError> {
     let scene = scene(bench.size, keys, spheres, 30, How::Ours)?;
     let settings = by_fused(Masks::List);
@@ -173,7 +172,7 @@ fn own(bench: &Bench, keys: &str, spheres: u32) -> Result<(Scene, RenderSettings
     Ok((found.applied(&scene), settings, method_words(chosen.method, chosen.control), chosen.error.into()))
 }
 
-/// Passes that advance apart from those before and after: with ended rays skipped, or every pixel in every pass.
+/// Returns settings with separate advance passes; masks skip ended rays, and otherwise every pass processes every pixel.
 pub(super) fn by_fused(masks: Masks) -> RenderSettings {
     by(Schedule::Fused, masks, RenderSettings::default().segments)
 }
@@ -184,12 +183,12 @@ pub(super) fn by(schedule: Schedule, masks: Masks, segments: u32) -> RenderSetti
     RenderSettings { choice, segments, ..RenderSettings::default() }
 }
 
-/// Returns K as a table shows it: at most the scene's `max_segments`, and `None` for schedules other than `fused`.
+/// Returns K for a table: at most the scene's `max_segments`, and `None` for schedules other than `fused`.
 pub(super) fn fused_segments(scene: &Scene, schedule: Schedule, segments: u32) -> Option<f64> {
     (schedule == Schedule::Fused).then(|| segments.min(scene.rays.max_segments).into())
 }
 
-/// What renders a scene once more, and says how long the passes that advance and intersect took.
+/// Returns a function that renders a scene and returns the time of the passes that advance and intersect.
 pub(super) fn run<'s>(
     bench: &Bench<'s>,
     scene: &'s Scene,
@@ -199,10 +198,10 @@ pub(super) fn run<'s>(
     Ok(move || Ok(renderer.picture()?.totals.advance()))
 }
 
-/// The benchmark's scene.
+/// Returns the benchmark's scene.
 pub(super) fn scene(size: [u32; 2], law: &str, spheres: u32, segments: u32, how: How) -> Result<Scene, RenderError> {
     let [width, height] = size;
-    // The paper tests every segment against every object; to partition space is one of its own next steps.
+    // W04 tests every segment against every object, and lists spatial partitioning as future work.
     let chords =
         format!("segment = \"chord\"\nsteps_per_segment = 10\nmax_segments = {segments}\nacceleration = \"none\"");
     let rays = match how {
@@ -216,7 +215,7 @@ pub(super) fn scene(size: [u32; 2], law: &str, spheres: u32, segments: u32, how:
          [materials.red]\ndiffuse = [0.8, 0.1, 0.1]\n[[lights]]\nkind = \"point\"\nposition = [10, 10, 20]\n"
     );
     for i in 0..spheres {
-        // On a ring behind the hole, in turns nearer and further.
+        // The spheres are on a ring behind the black hole, alternately closer and farther.
         let angle = std::f64::consts::TAU * f64::from(i) / f64::from(spheres);
         let (x, y, z) = (7.0 * angle.cos(), 5.0 * angle.sin(), if i % 2 == 0 { -6.0 } else { 2.0 });
         // Writing to a String cannot fail.

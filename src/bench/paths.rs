@@ -1,8 +1,8 @@
-//! What aimed rays and the guide are worth: the time that a picture of paths takes for the same error, in a box with lamps of four sizes.
+//! The benefit of next-event estimation and path guiding: the time of path tracing for an equal error, in a box with lights of four sizes.
 //!
-//! *Practice.* The error of random samples falls with the root of their number, so that time × error² is the same for any number of
-//! them, and the smaller the better. Times are the whole wait: the program compiled, the guide's light followed, the passes run, the
-//! picture read. The truth is a picture of many more samples with all aims; its own noise is in a table of its own.
+//! *Practice.* The error of random samples falls with the root of their number, so that time × error² does not depend on it; smaller is
+//! better. Times are the total wait: compilation, tracing of the guide's light, passes, and transfer of the image. The reference has many
+//! more samples with all methods; its noise is in a separate table.
 
 use std::cell::RefCell;
 use std::time::{Duration, Instant};
@@ -13,19 +13,19 @@ use crate::output::plot::{Chart, Series};
 use crate::render::{Noise, RenderError, RenderSettings, Renderer, Rendering};
 use crate::scene::{Paths, Scene};
 
-/// Radii of the lamp, in a box that is 2 wide. All give the same light.
+/// The radii of the light, in a box of width 2. All emit equal power.
 const LAMPS: [f64; 4] = [0.4, 0.15, 0.05, 0.02];
-/// Samples of the pictures that are compared, and of the truth.
+/// The number of samples of the compared images, followed by that of the reference.
 const SAMPLES: u32 = 256;
 const TRUTH: u32 = 4096;
-/// The part of all values that counts in no error: the truth has fireflies too, of light that a lamp throws through glass onto a wall that is
-/// seen in the mirror, and the smaller the lamp the more.
+/// The fraction of the largest values that errors ignore. The reference also has fireflies of light through glass onto a wall that is
+/// visible in the mirror, and smaller lights cause more of them.
 const WORST: f64 = 0.01;
-/// Ways to find light: aims at lamps, and a guide.
+/// The methods to find light: next-event estimation, and path guiding.
 const WAYS: [(&str, bool, bool); 3] =
     [("own rays", false, false), ("aims", true, false), ("aims and guide", true, true)];
 
-/// Time for the same error by the lamp's size.
+/// Measures the time for an equal error by the light's size.
 pub fn paths(bench: &Bench) -> Result<Report, RenderError> {
     let header =
         "lamp's radius | light found by | time (s) | spread | error | time × error² | of own rays | ns a segment";
@@ -63,7 +63,7 @@ pub fn paths(bench: &Bench) -> Result<Report, RenderError> {
     })
 }
 
-/// The scene with so many samples, and with these ways to find light.
+/// Returns the scene with this number of samples and these methods to find light.
 fn sampled(scene: &Scene, samples: u32, aim: bool, guide: bool) -> Scene {
     let mut scene = scene.clone();
     scene.image.samples = samples;
@@ -71,7 +71,7 @@ fn sampled(scene: &Scene, samples: u32, aim: bool, guide: bool) -> Scene {
     scene
 }
 
-/// A picture, and all the time that it took.
+/// Renders an image, and returns its total time.
 fn picture(bench: &Bench, scene: &Scene) -> Result<(Rendering, Duration), RenderError> {
     let started = Instant::now();
     let mut renderer = Renderer::new(bench.gpu, scene, RenderSettings::default())?;
@@ -80,13 +80,13 @@ fn picture(bench: &Bench, scene: &Scene) -> Result<(Rendering, Duration), Render
     Ok((picture, started.elapsed()))
 }
 
-/// What came of one way.
+/// The result of one method.
 struct Found {
     name: &'static str,
     times: Times,
-    /// In parts of the picture's mean.
+    /// The error relative to the image's mean.
     error: f64,
-    /// Nanoseconds.
+    /// The time per segment in nanoseconds.
     segment: f64,
 }
 
@@ -114,7 +114,7 @@ fn measure(bench: &Bench, scene: &Scene, truth: &Rendering) -> Result<Vec<Found>
     Ok(found.collect())
 }
 
-/// The root of the mean squared difference, in parts of the truth's mean, without the worst part of all values.
+/// Returns the root mean square difference relative to the reference's mean, without the largest fraction `WORST` of values.
 fn error(picture: &Rendering, truth: &Rendering) -> f64 {
     let both = || picture.band.color.iter().flatten().zip(truth.band.color.iter().flatten());
     let mut squares: Vec<f64> = both().map(|(a, b)| f64::from(a - b).powi(2)).collect();
@@ -124,9 +124,9 @@ fn error(picture: &Rendering, truth: &Rendering) -> f64 {
     (squares.iter().sum::<f64>() / squares.len().max(1) as f64).sqrt() / mean
 }
 
-/// A box of matte walls 2 wide, open to the camera, with a lamp of this radius.
+/// Returns a box of matte walls of width 2, open to the camera, with a light of this radius.
 fn room([width, height]: [u32; 2], radius: f64) -> Result<Scene, RenderError> {
-    // As bright as a lamp of radius 0.3 with a radiance of 8.
+    // The power equals that of a light of radius 0.3 with a radiance of 8.
     let radiance = 8.0 * (0.3 / radius).powi(2);
     let wall = |material: &str, center: [f64; 3], size: [f64; 3]| {
         format!("[[objects]]\nshape = \"box\"\nmaterial = \"{material}\"\ncenter = {center:?}\nsize = {size:?}\n")

@@ -1,4 +1,4 @@
-//! A measurement's result, for people and for scripts.
+//! The result of a measurement, for people and for scripts.
 
 use std::path::{Path, PathBuf};
 
@@ -11,11 +11,11 @@ use crate::output::{AtomicFile, OutputError};
 /// An entry of a table.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Cell {
-    /// Words.
+    /// A text.
     Text(String),
     /// A number, in the column's unit.
     Number(f64),
-    /// Not measured.
+    /// A missing measurement.
     None,
 }
 
@@ -45,7 +45,7 @@ impl Cell {
     }
 }
 
-/// To four digits, which is more than repeats agree in.
+/// Rounds to four digits, which exceeds the agreement of repeats.
 fn rounded(number: f64) -> String {
     if number == 0.0 || !number.is_finite() {
         return number.to_string();
@@ -87,18 +87,18 @@ impl<T: Into<Cell>> From<Option<T>> for Cell {
 /// A table of a report.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Table {
-    /// Its name in file names and JSON.
+    /// The name in file names and JSON.
     pub name: &'static str,
-    /// What it shows.
+    /// The caption.
     pub caption: String,
-    /// The columns' names, with units.
+    /// The names of the columns, with units.
     pub header: Vec<String>,
     /// The rows, each with a cell for every column.
     pub rows: Vec<Vec<Cell>>,
 }
 
 impl Table {
-    /// Creates a table with no rows; `header` has the columns' names with ` | ` between them.
+    /// Creates a table without rows; `header` contains the columns' names separated by ` | `.
     #[must_use]
     pub fn new(name: &'static str, caption: impl Into<String>, header: &str) -> Self {
         let header = header.split(" | ").map(str::to_owned).collect();
@@ -127,37 +127,37 @@ impl Table {
     }
 }
 
-/// What a measurement found.
+/// The result of a measurement.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Report {
-    /// Its name on the command line and in file names.
+    /// The name on the command line and in file names.
     pub name: &'static str,
-    /// What it is.
+    /// The title.
     pub title: String,
-    /// What to know of how it was measured.
+    /// The description of the measurement.
     pub intro: Vec<String>,
-    /// The figures.
+    /// The tables.
     pub tables: Vec<Table>,
-    /// Plots, each with its name in file names.
+    /// The plots, each with its name in file names.
     pub plots: Vec<(&'static str, Chart)>,
 }
 
 impl Report {
-    /// For a terminal.
+    /// Returns the report as text for a terminal.
     #[must_use]
     pub fn text(&self) -> String {
         let tables = self.tables.iter().map(|t| format!("\n{}\n{}", t.caption, text_table(&t.header, &t.texts())));
         std::iter::once(format!("{}\n", self.title)).chain(tables).collect()
     }
 
-    /// For scripts: its name and title, and the tables by name, each a list of rows by column.
+    /// Returns JSON for scripts: name and title, and the tables by name, each a list of rows by column.
     #[must_use]
     pub fn json(&self) -> Value {
         let tables: serde_json::Map<_, _> = self.tables.iter().map(|t| (t.name.to_owned(), t.json())).collect();
         json!({ "name": self.name, "title": self.title, "tables": tables })
     }
 
-    /// Writes every table as CSV and every plot as SVG and PNG into `folder`, and gives the page's section.
+    /// Writes every table as CSV and every plot as SVG and PNG into `folder`, and returns the page's section.
     pub fn write(&self, folder: &Path) -> Result<Section, OutputError> {
         let mut images = Vec::new();
         for table in &self.tables {

@@ -1,4 +1,4 @@
-//! What samples are worth: the error of a picture against the samples that it took, uniform, with footprints and adaptive.
+//! The benefit of sampling methods: an image's error against its samples, uniform, with footprints and adaptive.
 
 use super::times::device_time;
 use super::{Bench, Cell, Report, Table, Times};
@@ -8,26 +8,26 @@ use crate::output::plot::{Chart, Series};
 use crate::render::{RenderError, RenderSettings, Renderer, Rendering};
 use crate::scene::{SamplePattern, Scene};
 
-/// Samples of the pictures that others are compared with.
+/// The number of samples of reference images.
 const REFERENCE: u32 = 1024;
-/// Samples of uniform pictures.
+/// The numbers of samples of uniform images.
 const UNIFORM: [u32; 4] = [1, 4, 16, 64];
-/// Of which this is what adaptive sampling is to be as good as.
+/// The uniform number of samples that adaptive sampling must match.
 const AIM: u32 = 16;
-/// Tolerances of adaptive pictures.
+/// The tolerances of adaptive images.
 const TOLERANCES: [f64; 4] = [0.02, 0.03, 0.05, 0.08];
-/// The one for all scenes, by which adaptive sampling is judged.
+/// The tolerance for all scenes, by which adaptive sampling is judged.
 const USUAL: f64 = 0.05;
-/// Samples that an adaptive pixel may take.
+/// The largest number of samples of an adaptive pixel.
 const MOST: u32 = 64;
-/// Samples a pixel that adaptive sampling is to do with.
+/// The number of samples per pixel that adaptive sampling must not exceed.
 const FEW: f64 = 6.0;
 
-/// How a picture is sampled.
+/// The sampling of an image.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Sampling {
     Uniform(u32),
-    /// Uniform, with pictures and patterns averaged.
+    /// Uniform sampling with filtered textures and patterns.
     Footprints(u32),
     Adaptive(f64),
 }
@@ -42,18 +42,18 @@ impl Sampling {
     }
 }
 
-/// A picture so sampled.
+/// The measurement of a sampling.
 struct Measured {
     sampling: Sampling,
-    /// Root of the mean square over pixels and channels, in what a PNG shows, from 0 to 1, before it is rounded.
+    /// The root mean square error over pixels and channels, in unrounded PNG values from 0 to 1.
     rmse: f64,
-    /// A pixel on average.
+    /// The average number of samples per pixel.
     samples: f64,
     capped: Option<f64>,
     times: Times,
 }
 
-/// Every scene, by name, with each sampling.
+/// Measures every scene, by name, with each sampling.
 pub fn sampling(bench: &Bench, scenes: &[(String, Scene)]) -> Result<Report, RenderError> {
     let header = "scene | method | sampling | tolerance | samples a pixel | RMSE | of uniform 16 | at the cap (%) | device (s) | \
                   spread";
@@ -101,7 +101,7 @@ fn curves(name: &str, measured: &[Measured]) -> impl Iterator<Item = Series> {
     })
 }
 
-/// All samplings of a scene, and its method in words.
+/// Returns all samplings of a scene, and a description of its method.
 fn measure(bench: &Bench, scene: &Scene) -> Result<(String, Vec<Measured>), RenderError> {
     let scene = bench.prepared(sampled(scene, Sampling::Uniform(1)))?;
     let truth = sampled(&scene, Sampling::Uniform(REFERENCE));
@@ -128,7 +128,7 @@ fn measure(bench: &Bench, scene: &Scene) -> Result<(String, Vec<Measured>), Rend
     Ok((method_words(scene.rays.method, scene.rays.control), measured))
 }
 
-/// A pixel's, with that through its corner if there is one.
+/// Returns the number of rays per pixel, including the ray through its corner if there is one.
 fn rays(scene: &Scene) -> f64 {
     f64::from(scene.image.samples) + f64::from(u8::from(scene.has_footprints()))
 }
@@ -144,7 +144,7 @@ fn sampled(scene: &Scene, sampling: Sampling) -> Scene {
     scene
 }
 
-/// What a PNG shows of the picture.
+/// Returns the PNG values of the image.
 fn shown(scene: &Scene, picture: &Rendering) -> Vec<f64> {
     let [red, green, blue] = &picture.band.color;
     let colors = red.iter().zip(green).zip(blue).map(|((r, g), b)| [*r, *g, *b]);

@@ -1,7 +1,7 @@
-//! How time grows: with pixels, steps, spheres, lights and samples.
+//! The growth of time with pixels, steps, spheres, lights and samples.
 //!
-//! *Practice.* One of them is doubled at a time, all else as in the benchmark's own scene; the slope of the straight line through
-//! the logarithms is the exponent: 1 where time is proportional.
+//! *Practice.* One number is doubled at a time, with everything else as in the benchmark's scene. The exponent is the slope of a linear fit
+//! to the logarithms: 1 means proportional time.
 
 use super::paper::{How, SCHWARZSCHILD, by_fused, scene};
 use super::times::{device_time, slope};
@@ -15,13 +15,13 @@ use crate::scene::Scene;
 
 const DOUBLINGS: u32 = 5;
 
-/// What is doubled, and how a scene has so much of it.
+/// A function that returns a scene with this size.
 type Grow = fn(&Bench, u32) -> Result<Scene, RenderError>;
 
 const GROWN: [(&str, Grow); 5] =
     [("pixels", pixels), ("steps", steps), ("spheres", spheres), ("lights", lights), ("samples", samples)];
 
-/// Times and exponents.
+/// Measures times and exponents.
 pub fn scaling(bench: &Bench) -> Result<Report, RenderError> {
     let header = "what | times as many | advance (s) | all (s) | spread";
     let mut times = Table::new("times", "Time of the advance passes and of all", header);
@@ -58,7 +58,7 @@ pub fn scaling(bench: &Bench) -> Result<Report, RenderError> {
     })
 }
 
-/// The slope of the straight line through the points' logarithms.
+/// Returns the slope of the linear fit to the points' logarithms.
 fn exponent(points: impl Iterator<Item = [f64; 2]>) -> f64 {
     slope(points.map(|point| point.map(f64::ln)))
 }
@@ -72,7 +72,7 @@ fn base(size: [u32; 2], balls: u32) -> Result<Scene, RenderError> {
     Ok(scene)
 }
 
-/// A quarter of the bench's picture, in which the largest of a series is affordable.
+/// Returns a quarter of the benchmark's image, for which the largest size of a series is affordable.
 fn part(bench: &Bench) -> [u32; 2] {
     bench.size.map(|side| (side / 4).max(8))
 }

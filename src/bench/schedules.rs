@@ -1,4 +1,4 @@
-//! The same work cut into passes in different ways.
+//! The time of equal work divided into passes in different ways.
 
 use super::paper::{GEODESIC, How, by, fused_segments, run, scene};
 use super::{Bench, Report, Table, Times};
@@ -7,13 +7,13 @@ use crate::program::{Masks, Schedule};
 use crate::render::RenderError;
 use crate::scene::{Accelerate, Scene};
 
-/// K of the fused schedule; the last is all of a path's segments.
+/// The values of K for the fused schedule; the last is all of a path's segments.
 const SEGMENTS: [u32; 5] = [1, 4, 16, 64, 1024];
 
-/// The 2004 paper's case by every schedule and K, without masks and with them: those of 2004 under `paper`, else the list of active rays.
+/// Measures the case of W04 with every schedule and K, without masks and with them: those of W04 for `paper`, otherwise compaction.
 pub fn schedules(bench: &Bench) -> Result<Report, RenderError> {
     let mut scene = scene(bench.size, GEODESIC, 10, 30, How::Plain)?;
-    // Lists, of which segments meet what they are near.
+    // Uses lists of objects, of which segments test only the near ones.
     scene.rays.accelerate = Accelerate::Auto;
     let others = [Schedule::Paper, Schedule::Segment, Schedule::Whole].map(|schedule| (schedule, 1));
     let fused = SEGMENTS.map(|segments| (Schedule::Fused, segments));
@@ -44,7 +44,7 @@ pub fn schedules(bench: &Bench) -> Result<Report, RenderError> {
     })
 }
 
-/// Without masks and with them, by turns.
+/// Measures without masks and with them, by turns.
 fn by_masks(bench: &Bench, scene: &Scene, schedule: Schedule, segments: u32) -> Result<[Times; 2], RenderError> {
     let run = |masks| run(bench, scene, by(schedule, masks, segments));
     let (mut plain, mut masked) = (run(Masks::Off)?, run(schedule.masks())?);

@@ -1,14 +1,14 @@
-//! Where a method sees the edge of a black hole's shadow.
+//! The edge of a black hole's shadow as a method computes it.
 
 use super::own_scene;
 use crate::gpu::Gpu;
 use crate::render::{RenderError, RenderSettings, Status, trace};
 
-/// The impact parameter of the photon sphere: √27 M.
+/// The critical impact parameter of the photon sphere: √27 M.
 pub const CRITICAL: f64 = 5.196_152_422_706_632;
 
-/// The largest impact parameter b = L/E, for M = 1, that a ray from r = 50 is captured with, by the given `[rays]` keys;
-/// none if none of those tried is.
+/// Returns the largest impact parameter b = L/E, for M = 1, with which a ray from r = 50 is captured under the given `[rays]` keys, or
+/// `None` if no tried ray is captured.
 pub fn shadow_edge(gpu: &Gpu, rays: &str) -> Result<Option<f64>, RenderError> {
     let text = format!(
         "[law]\nkind = \"schwarzschild\"\nform = \"geodesic\"\n[rays]\n{rays}\nmax_segments = 20000\nbounding_sphere = {{ radius = 50 }}\n"
@@ -21,8 +21,8 @@ pub fn shadow_edge(gpu: &Gpu, rays: &str) -> Result<Option<f64>, RenderError> {
     Ok(captured.fold(None, |most: Option<f64>, b| Some(most.map_or(b, |most| most.max(b)))))
 }
 
-/// A ray from (r, 0, 0) inwards with impact parameter b = L/E: for a unit coordinate direction with the transverse part s,
-/// L = r s and E² = 1 − s² + (1 − 2/r) s².
+/// Returns a ray from (r, 0, 0) inwards with impact parameter b = L/E: for a unit coordinate direction with the transverse component s, L =
+/// r s and E² = 1 − s² + (1 − 2/r) s².
 fn ray(r: f64, b: f64) -> [f64; 6] {
     let s = (b * b / (r * r + 2.0 * b * b / r)).sqrt();
     [r, 0.0, 0.0, -(1.0 - s * s).sqrt(), s, 0.0]

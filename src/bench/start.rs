@@ -1,8 +1,8 @@
-//! From launch to the first pixel: what a start takes, part by part, before anything is in the driver's cache and after.
+//! The time from launch to the first pixel, by stage, with an empty and with a filled driver cache.
 //!
-//! *Practice.* Every start is a process of its own, which says itself what its parts took; caches of drivers are sent to a folder
-//! that is empty at the first of two starts. wgpu's own pipeline cache is not used: a device takes it as it is, so that opening one
-//! is `unsafe`, which this crate forbids; and drivers keep a cache of their own.
+//! *Practice.* Every start is a separate process, which reports the times of its stages. Driver caches are redirected to a folder that is
+//! empty at the first of two starts. The pipeline cache of wgpu is not used: a device accepts its data without checks, so that opening one
+//! is `unsafe`, which this crate forbids; and drivers have a separate cache.
 
 use std::io;
 use std::path::{Path, PathBuf};
@@ -15,10 +15,10 @@ use crate::measure::calibrate_for;
 use crate::render::{RenderError, RenderSettings, Renderer, StartUp};
 use crate::scene::{Override, Scene};
 
-/// Width and height of the picture that is started.
+/// The width and height of the image.
 const SIZE: u32 = 64;
-/// Folders for what drivers compile, those of Mesa, NVIDIA and AMD, and of all that follow the desktop's rules; and for what `auto`
-/// decided.
+/// The variables for the folders of driver caches, for Mesa, NVIDIA, AMD, and drivers that follow the XDG rules, and for the decisions of
+/// `auto`.
 const CACHES: [&str; 5] = [
     "MESA_SHADER_CACHE_DIR",
     "__GL_SHADER_DISK_CACHE_PATH",
@@ -27,7 +27,7 @@ const CACHES: [&str; 5] = [
     "BENTRAY_CACHE",
 ];
 
-/// Starts of `program`, which is this one, for each of the scenes.
+/// Measures starts of `program`, which is this program, for each of the scenes.
 pub fn start(bench: &Bench, program: &Path, scenes: &[PathBuf]) -> Result<Report, RenderError> {
     let parts = StartUp::PARTS.join(" | ");
     let header = format!("scene | cache | launch to first pixel (s) | spread | {parts} | second picture (s)");
@@ -66,7 +66,7 @@ fn failed(cause: impl Into<Box<dyn std::error::Error + Send + Sync>>) -> RenderE
     RenderError::Output(Box::new(io::Error::other(cause)))
 }
 
-/// One start with the driver's cache in `folder`.
+/// Measures one start with the driver's cache in `folder`.
 fn started(bench: &Bench, program: &Path, scene: &Path, folder: &Path) -> Result<Vec<f64>, RenderError> {
     let mut command = Command::new(program);
     command.arg("render").arg(scene).args(["--json", "--size", &format!("{SIZE}x{SIZE}")]);
@@ -80,7 +80,7 @@ fn started(bench: &Bench, program: &Path, scene: &Path, folder: &Path) -> Result
     parts(&output.stdout).ok_or_else(|| failed(format!("{}: {text}", scene.display())))
 }
 
-/// Seconds from launch to the first pixel, then those of each part, of what `render --json` prints.
+/// Returns the seconds from launch to the first pixel, followed by those of each stage, from the output of `render --json`.
 fn parts(printed: &[u8]) -> Option<Vec<f64>> {
     let picture: Value = serde_json::from_slice(printed).ok()?;
     let part = |name: &str| picture["start_seconds"][name.replace(' ', "_")].as_f64();
@@ -88,7 +88,7 @@ fn parts(printed: &[u8]) -> Option<Vec<f64>> {
     Some([vec![parts.iter().sum()], parts].concat())
 }
 
-/// A picture by a program that is compiled already.
+/// Measures an image by a compiled program.
 fn second(bench: &Bench, path: &Path) -> Result<Times, RenderError> {
     let size: Vec<Override> = format!("image.size=[{SIZE}, {SIZE}]").parse().into_iter().collect();
     let mut scene = Scene::load(path, &size).map_err(|error| RenderError::Output(Box::new(error)))?;

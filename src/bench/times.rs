@@ -1,26 +1,26 @@
-//! Times of repeats.
+//! The times of repeats.
 
 use std::time::Duration;
 
 use crate::render::{RenderError, Totals};
 
-/// What some runs of the same took.
+/// The time of repeated runs.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Times {
-    /// The median, seconds.
+    /// The median, in seconds.
     pub median: f64,
-    /// The longest over the shortest.
+    /// The ratio of the longest to the shortest.
     pub spread: f64,
 }
 
 impl Times {
-    /// Of `repeats` runs, after one that compiles.
+    /// Measures `repeats` runs, after one that compiles.
     pub fn of(repeats: usize, mut run: impl FnMut() -> Result<Duration, RenderError>) -> Result<Self, RenderError> {
         let [times] = Self::by_turns(repeats, [&mut run])?;
         Ok(times)
     }
 
-    /// Of some things to be compared, each run once in every repeat, so that what disturbs one disturbs all.
+    /// Measures several runs in turns, each once in every repeat, so that disturbances affect all of them.
     pub fn by_turns<const N: usize>(
         repeats: usize,
         mut runs: [&mut dyn FnMut() -> Result<Duration, RenderError>; N],
@@ -29,7 +29,7 @@ impl Times {
         Ok(std::array::from_fn(|_| times.next().unwrap_or(Self { median: f64::NAN, spread: f64::NAN })))
     }
 
-    /// The same of any number of things.
+    /// Measures any number of runs in turns.
     pub fn all_by_turns(
         repeats: usize,
         runs: &mut [impl FnMut() -> Result<Duration, RenderError>],
@@ -57,12 +57,12 @@ impl From<Vec<f64>> for Times {
     }
 }
 
-/// Returns the time of a picture's passes on the device, or the wall-clock time if the device has no timestamps.
+/// Returns the time of an image's passes on the device, or the wall-clock time if the device has no timestamps.
 pub(super) fn device_time(totals: &Totals) -> Duration {
     totals.device.map_or(totals.wall, |stages| stages.iter().sum())
 }
 
-/// Of the straight line nearest to the points.
+/// Returns the slope of the linear fit to the points.
 pub(super) fn slope(points: impl Iterator<Item = [f64; 2]>) -> f64 {
     let points: Vec<[f64; 2]> = points.collect();
     let count = points.len() as f64;

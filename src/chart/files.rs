@@ -1,4 +1,4 @@
-//! A chart as files: a table of all points, plots, and a page.
+//! The files of a chart: a table of all points, plots, and a page.
 
 use std::path::{Path, PathBuf};
 
@@ -49,10 +49,11 @@ impl Row for Line<'_> {
     }
 }
 
-/// What a ray costs at a setting.
+/// A function that returns the cost of a ray at a setting.
 type Cost = fn(&Point) -> f64;
 
-/// Writes `SCENE.csv`, and `SCENE_time`, `SCENE_evaluations` and the drift of each quantity that the law keeps as SVG and PNG into `folder`, and gives the page's section on them.
+/// Writes `SCENE.csv`, and `SCENE_time`, `SCENE_evaluations` and the drift of each constant of motion as SVG and PNG into `folder`, and
+/// returns the page's section on them.
 pub fn write_chart(folder: &Path, chart: &SceneChart) -> Result<Section, OutputError> {
     let file = |end: &str| folder.join(format!("{}{end}", chart.scene));
     let mut table = Table::create::<Line>(&file(".csv"))?;
@@ -93,7 +94,7 @@ pub fn write_chart(folder: &Path, chart: &SceneChart) -> Result<Section, OutputE
     Ok(section(chart, images))
 }
 
-/// The quantities that the scene's law keeps.
+/// Returns the constants of motion of the scene's law.
 fn kept(chart: &SceneChart) -> Vec<&'static str> {
     let mut names = Vec::new();
     for (name, _) in chart.curves.iter().flat_map(|curve| &curve.points).flat_map(|point| &point.drifts) {
@@ -120,7 +121,7 @@ fn drift_plot(chart: &SceneChart, name: &str) -> PrecisionPlot {
     }
 }
 
-/// An error of nearly half a turn is none, but a wrong end.
+/// Returns an error, or infinity if it is nearly half a turn, which means a wrong end.
 fn known(error: f64) -> f64 {
     if error < 3.0 { error } else { f64::INFINITY }
 }
@@ -139,10 +140,10 @@ fn plot(chart: &SceneChart, label: &str, cost: Cost) -> PrecisionPlot {
     }
 }
 
-/// The errors of the table of the fastest.
+/// The errors of the table of the fastest methods.
 const ERRORS: [f64; 5] = [1e-2, 1e-3, 1e-4, 1e-5, 1e-6];
 
-/// The fastest method at each error, as header and rows.
+/// Returns the fastest method at each error, as header and rows.
 #[must_use]
 pub fn fastest_table(chart: &SceneChart) -> (Vec<String>, Vec<Vec<String>>) {
     let header = ["error (rad, 95 %)", "fastest", "ns a ray", "evaluations", "wrong ends"].map(str::to_owned).to_vec();

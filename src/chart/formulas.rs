@@ -1,8 +1,8 @@
-//! Formulas of the thesis on transparent materials, as charts: Fresnel's (Fig. 4), Beer and Lambert's (Fig. 9), Snell's, and the
+//! Formulas of transparent materials from T as charts: the Fresnel equations (Fig. 4), the Beer–Lambert law (Fig. 9), Snell's law, and the
 //! spirals in an inverse-r sphere (Figs. 38 to 40).
 //!
-//! *Practice.* All in 64 bits on the host, from the closed forms; a picture's shaders have their own, which tests hold to others.
-//! Angles come in degrees, and η = `n_t/n_i` is of the side that the light goes to over the side that it comes from.
+//! *Practice.* The host evaluates the closed forms in 64 bits; shaders have separate implementations, which tests compare with others.
+//! Angles are in degrees, and η = `n_t/n_i` is the ratio of the transmitted to the incident index.
 
 use std::f64::consts::TAU;
 use std::sync::Arc;
@@ -15,23 +15,23 @@ use crate::output::plot::{Chart, CrossSection, PathLine, PathPlot, PlotRange, Se
 use crate::render::PathPoint;
 use crate::scene::{CutPlane, Object, Substance, Transform};
 
-/// Samples of a curve over a right angle.
+/// The number of samples of a curve over a right angle.
 const SAMPLES: u32 = 360;
-/// Angles beyond this, in radians, are not charted: at the ends of their range they grow without limit.
+/// The angle in radians beyond which angles are not charted, because they diverge at the ends of their range.
 const STEEPEST: f64 = 10.0;
-/// Segments of a spiral in a turn: their cubic arcs are off by 10⁻⁵ of their radius.
+/// The number of segments of a spiral per turn, whose cubic arcs have an error of 10⁻⁵ of their radius.
 const SEGMENTS: f64 = 24.0;
-/// Where an inward spiral is given up, in parts of the sphere's radius.
+/// The radius, relative to the sphere's, at which an inward spiral ends.
 const INNERMOST: f64 = 0.005;
 
-/// The sine of the angle of refraction, if there is any: sin θₜ = sin θᵢ/η.
+/// Returns the sine of the angle of refraction, if there is one: sin θₜ = sin θᵢ/η.
 #[must_use]
 pub fn refracted_sine(degrees: f64, eta: f64) -> Option<f64> {
     let sine = degrees.to_radians().sin() / eta;
     (sine <= 1.0).then_some(sine)
 }
 
-/// Fresnel's reflectance `k_r` of unpolarised light (T Eqs. 4 to 6); the transmittance is 1 − `k_r` (T Eq. 7).
+/// Returns the Fresnel reflectance `k_r` of unpolarized light (T Eqs. 4 to 6); the transmittance is 1 − `k_r` (T Eq. 7).
 #[must_use]
 pub fn reflectance(degrees: f64, eta: f64) -> f64 {
     let Some(sine) = refracted_sine(degrees, eta) else { return 1.0 };
@@ -41,7 +41,7 @@ pub fn reflectance(degrees: f64, eta: f64) -> f64 {
     0.5 * (parallel * parallel + perpendicular * perpendicular)
 }
 
-/// `k_r` and `k_t` against the angle of incidence, for each η (T Fig. 4).
+/// Returns `k_r` and `k_t` against the angle of incidence, for each η (T Fig. 4).
 #[must_use]
 pub fn fresnel_chart(etas: &[f64]) -> Chart {
     let series = |&eta: &f64| {
@@ -61,7 +61,7 @@ pub fn fresnel_chart(etas: &[f64]) -> Chart {
     )
 }
 
-/// The angle of refraction against that of incidence, for each η.
+/// Returns the angle of refraction against the angle of incidence, for each η.
 #[must_use]
 pub fn snell_chart(etas: &[f64]) -> Chart {
     let point = |degrees: f64, eta: f64| refracted_sine(degrees, eta).map(|sine| [degrees, sine.asin().to_degrees()]);
@@ -76,11 +76,11 @@ pub fn snell_chart(etas: &[f64]) -> Chart {
     )
 }
 
-/// Degrees from 0 to 90, with the critical angle if there is one: curves have a corner there.
+/// Returns degrees from 0 to 90, including the critical angle, where curves have a corner, if there is one.
 fn angles(eta: f64) -> Vec<f64> {
     let mut angles: Vec<f64> = (0..=SAMPLES).map(|i| 90.0 * f64::from(i) / f64::from(SAMPLES)).collect();
     if eta < 1.0 {
-        // The largest number of degrees of which the sine is not above η.
+        // The largest number of degrees whose sine is at most η.
         let critical = eta.asin().to_degrees();
         angles.push(if refracted_sine(critical, eta).is_some() { critical } else { critical.next_down() });
         angles.sort_by(f64::total_cmp);
@@ -88,7 +88,7 @@ fn angles(eta: f64) -> Vec<f64> {
     angles
 }
 
-/// Beer and Lambert's law: the part cᵈ of the light that is left after a distance d, for each color component c (T Fig. 9).
+/// Returns the Beer–Lambert law: the transmittance cᵈ over a distance d, for each color component c (T Fig. 9).
 #[must_use]
 pub fn beer_chart(filters: &[f64], farthest: f64) -> Chart {
     let series = |&c: &f64| {
@@ -102,14 +102,14 @@ pub fn beer_chart(filters: &[f64], farthest: f64) -> Chart {
     )
 }
 
-/// The angle ln(R/S) cot ψ in radians by which a ray has gone round the center of an inverse-r sphere where it leaves
-/// it, if it starts at the radius S at the angle ψ (degrees) to the circle there (T Eq. 21).
+/// Returns the angle ln(R/S) cot ψ in radians around the center of an inverse-r sphere at which a ray leaves it, if it starts at the radius
+/// S at the angle ψ (degrees) to the circle there (T Eq. 21).
 #[must_use]
 pub fn spiral_angle(ratio: f64, psi: f64) -> f64 {
     ratio.ln() / psi.to_radians().tan()
 }
 
-/// That angle against ψ (T Fig. 39): in the quadrants III and IV the formula holds, but the ray winds into the center.
+/// Returns this angle against ψ (T Fig. 39): in the quadrants III and IV the formula is valid, but the ray spirals into the center.
 #[must_use]
 pub fn spiral_chart(ratio: f64) -> Chart {
     let branch = |name: &str, from: f64| {
@@ -124,8 +124,8 @@ pub fn spiral_chart(ratio: f64) -> Chart {
     )
 }
 
-/// Rays from [S, 0] in a sphere of radius R = 1, at angles ψ (degrees) to the circle there (T Figs. 38 and 40): outwards to R,
-/// inwards to near the center, once round on the circle.
+/// Returns rays from [S, 0] in a sphere of radius R = 1, at angles ψ (degrees) to the circle there (T Figs. 38 and 40): outwards to R,
+/// inwards to near the center, and once around on the circle.
 #[must_use]
 pub fn spiral_plot<'n>(ratio: f64, psis: &[f64], names: &'n [String]) -> PathPlot<'n> {
     let plane = CutPlane { point: DVec3::ZERO, right: DVec3::X, up: DVec3::Y };
@@ -136,7 +136,7 @@ pub fn spiral_plot<'n>(ratio: f64, psis: &[f64], names: &'n [String]) -> PathPlo
     PathPlot { surfaces, range: PlotRange::Objects, ..PathPlot::new(plane, psis.iter().zip(names).map(line).collect()) }
 }
 
-/// r(θ) = S e^(θ tan ψ), by s in [0, 1] with ln r = ln S + s L and θ = s L cot ψ: a radial ray is no exception.
+/// Returns r(θ) = S e^(θ tan ψ), by s in [0, 1] with ln r = ln S + s L and θ = s L cot ψ, which includes radial rays.
 fn spiral(ratio: f64, psi: f64) -> Curve {
     let start = 1.0 / ratio;
     let (rise, run) = psi.to_radians().sin_cos();
@@ -169,18 +169,18 @@ mod tests {
         for eta in [1.0001_f64, 1.4, 2.42, 3.0, 1.0 / 1.4] {
             let normal = ((eta - 1.0) / (eta + 1.0)).powi(2);
             assert!((reflectance(0.0, eta) - normal).abs() < 1e-15);
-            // At Brewster's angle nothing parallel is reflected.
+            // At the Brewster angle no parallel light is reflected.
             let brewster = eta.atan().to_degrees();
             let half = 0.5 * ((1.0 - eta * eta) / (1.0 + eta * eta)).powi(2);
             assert!((reflectance(brewster, eta) - half).abs() < 1e-14, "{eta}");
             assert!((reflectance(90.0, eta) - 1.0).abs() < 1e-13);
-            // Backwards along the refracted ray the same part is reflected.
+            // Backwards along the refracted ray the reflectance is equal.
             for degrees in [10.0, 30.0, 44.0] {
                 let back = refracted_sine(degrees, eta).unwrap().asin().to_degrees();
                 assert!((reflectance(degrees, eta) - reflectance(back, 1.0 / eta)).abs() < 1e-12, "{eta} {degrees}");
             }
         }
-        // The thesis's figures: 4 % of 1.4 in round numbers is 2.8 %, of √2 2.9 %, of 3 25 %.
+        // The rounded values of T: 2.8 % for η = 1.4, 2.9 % for √2, 25 % for 3.
         assert!(
             (reflectance(0.0, 2.0_f64.sqrt()) - 0.029).abs() < 5e-4 && (reflectance(0.0, 3.0) - 0.25).abs() < 1e-12
         );
@@ -209,7 +209,7 @@ mod tests {
             let turns = windings(&curve, DVec3::ZERO, &plane);
             let expected = spiral_angle(2.5, psi) / TAU;
             assert!((turns - expected).abs() < 1e-9 * (1.0 + expected.abs()), "{psi}: {turns} {expected}");
-            // The angle to the circles is the same all along: dr / (r dθ) = tan ψ, by points near to each other.
+            // The angle to the circles is constant: dr / (r dθ) = tan ψ, from adjacent points.
             let points = curve.flattened();
             for ends in points.windows(2) {
                 let (middle, step) = (ends[0].midpoint(ends[1]), ends[1] - ends[0]);

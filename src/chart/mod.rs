@@ -1,4 +1,4 @@
-//! Speed against accuracy, and the formulas of the thesis as charts.
+//! Work–precision charts of methods, and charts of formulas from T.
 
 mod files;
 mod formulas;

@@ -1,31 +1,31 @@
-//! The thesis's noise (§2.4) along a line, as charts: its octaves and their sum (Figs. 12 to 14), and the sum wrapped (Figs. 13 and 15).
+//! Charts of noise along a line (T §2.4): its octaves and their sum (Figs. 12 to 14), and the wrapped sum (Figs. 13 and 15).
 //!
-//! *Practice.* Along an axis of the lattice the splines of the two others weigh one row alone, so that four points are enough. Pictures
-//! have shaders of their own for this, `medium/fractal_noise`; a test holds the one to the other.
+//! *Practice.* Along an axis of the lattice the splines of the other two axes weight a single row, so that four points suffice. Shaders
+//! have a separate implementation, `medium/fractal_noise`; a test compares both.
 
 use crate::gpu::hashed;
 use crate::output::plot::{Chart, Series};
 
-/// Samples of a curve over a cell of its finest octave.
+/// The number of samples of a curve per cell of its finest octave.
 const SAMPLES: u32 = 16;
 
-/// The random number in [-1, 1] on a point of the lattice's first axis: PCG's output function on mixed coordinates.
+/// Returns the random number in [-1, 1] at a point of the lattice's first axis: the PCG output function of mixed coordinates.
 fn lattice(cell: i32, seed: u32) -> f64 {
     let mixed = cell.cast_unsigned().wrapping_mul(0x8da6_b343) ^ seed.wrapping_mul(0x9e37_79b1);
     f64::from(hashed(mixed) >> 8) / 8_388_607.5 - 1.0
 }
 
-/// One octave at x, counted in cells: a Catmull–Rom spline through the lattice's points.
+/// Returns one octave at x, in units of cells: a Catmull–Rom spline through the lattice's points.
 fn octave(x: f64, seed: u32) -> f64 {
     let cell = x.floor();
     let t = x - cell;
     let weights =
         [t * (t * (2.0 - t) - 1.0), t * t * (3.0 * t - 5.0) + 2.0, t * (t * (4.0 - 3.0 * t) + 1.0), t * t * (t - 1.0)];
-    // Cells are few: charts are of some thousands at most.
+    // Charts have at most some thousands of cells.
     (-1..).zip(weights).map(|(next, weight)| 0.5 * weight * lattice(cell as i32 + next, seed)).sum()
 }
 
-/// Σ 2⁻ʲ noise(2ʲ x) over `octaves` (T Eq. 10), with x in cells of the first.
+/// Returns Σ 2⁻ʲ noise(2ʲ x) over `octaves` (T Eq. 10), with x in cells of the first.
 #[must_use]
 pub fn noise_sum(x: f64, octaves: u32, seed: u32) -> f64 {
     (0..octaves).map(|j| noise_term(x, j, seed)).sum()
@@ -36,7 +36,7 @@ fn noise_term(x: f64, j: u32, seed: u32) -> f64 {
     octave(scale * x, seed) / scale
 }
 
-/// The octaves of noise and their sum along a line of `length` cells.
+/// Returns the octaves of noise and their sum along a line of `length` cells.
 #[must_use]
 pub fn noise_chart(octaves: u32, length: f64, seed: u32) -> Chart {
     let terms = (0..octaves).map(|j| (format!("octave {}", j + 1), j));
@@ -48,7 +48,7 @@ pub fn noise_chart(octaves: u32, length: f64, seed: u32) -> Chart {
     chart("Octaves of noise", "noise", series)
 }
 
-/// The sum as a number from 0 to 1, and the same wrapped: m u − ⌊m u⌋ for `times` m (T §2.4.3).
+/// Returns the sum as a number u from 0 to 1, and the wrapped sum m u − ⌊m u⌋ with m = `times` (T §2.4.3).
 #[must_use]
 pub fn wrapped_chart(octaves: u32, length: f64, seed: u32, times: f64) -> Chart {
     let most = 2.0 - (1.0 - f64::from(octaves)).exp2();

@@ -1,11 +1,11 @@
-//! What becomes of rays where methods fail.
+//! The outcomes of rays in situations where methods fail.
 //!
-//! *Theory.* A method that errs is no harm where its user is told. So each ray is followed as the method does it by default, and
-//! by the same method at two finer settings, which is all that can be done without the truth; then the truth is looked at. A
-//! ray is *right*; or *flagged*, because it was given up (exhausted, stalled, not finite) because it kept steps over its tolerance and
-//! counted them, or because the settings disagree; or *unresolved*, if 64 bits cannot know its end; or else it is *silent*: wrong, and nobody would know.
+//! *Theory.* An error of which the user is warned does no harm. Each ray is therefore followed by the method with its default setting and
+//! with two finer settings, which is possible without a reference solution; then the outcomes are compared with the reference. A ray is
+//! *right*; *flagged*, because it ended early (exhausted, stalled, not finite), because it accepted and counted steps over its tolerance,
+//! or because the settings disagree; *unresolved*, if 64 bits cannot determine its end; or *silent*, which means wrong without a warning.
 //!
-//! *Practice.* Starts are rounded to 32 bits before anything follows them, for what a ray is, is not the method's fault.
+//! *Practice.* Starting values are first rounded to 32 bits, because their rounding is not the method's error.
 
 use crate::gpu::Gpu;
 use crate::measure::{Candidate, Truth, all_methods};
@@ -13,47 +13,47 @@ use crate::program::Purpose;
 use crate::render::{RenderError, RenderSettings, Starts, Status, Traced, Tracer};
 use crate::scene::{Control, Scene};
 
-/// Directions (radians), speeds (relative) and places (in parts of the bound's radius) are right within this.
+/// The error up to which directions (radians), speeds (relative) and positions (relative to the bounding radius) are right.
 const RIGHT: f64 = 1e-3;
-/// Settings agree if they differ by no more than this part of what is right: halving the steps of a method of order 1 shows
-/// half of its error, and the rest is margin.
+/// The largest difference between agreeing settings, relative to `RIGHT`: halving the steps of a method of order 1 reveals half of its
+/// error, and the rest is margin.
 const AGREES: f64 = 0.25;
 const TOLERANCE: f64 = 1e-13;
-/// Segments of a path, at most.
+/// The largest number of segments of a path.
 const SEGMENTS: u32 = 40_000;
 
-/// What became of a place's rays under one method.
+/// The outcomes of a situation's rays with one method.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Outcome {
-    /// The place.
+    /// The situation.
     pub place: String,
     /// The method.
     pub method: &'static str,
-    /// Rays that end where they should.
+    /// The number of rays with correct ends.
     pub right: usize,
-    /// Rays that were given up: exhausted, stalled or not finite.
+    /// The number of rays that ended early: exhausted, stalled or not finite.
     pub given_up: usize,
-    /// Rays that kept steps over the tolerance, as the 2004 rule does, and counted them.
+    /// The number of rays with accepted and counted steps over the tolerance, as by the rule of W04.
     pub over: usize,
-    /// Rays whose ends at two settings differ.
+    /// The number of rays whose ends differ between settings.
     pub disagreeing: usize,
-    /// Rays whose true end is not known.
+    /// The number of rays whose true end is unknown.
     pub unresolved: usize,
-    /// Rays that are wrong without a sign of it.
+    /// The number of rays that are wrong without a warning.
     pub silent: usize,
-    /// Until which τ all rays of a flow were right; none for other laws.
+    /// The τ up to which all rays of a flow were right; `None` for other laws.
     pub diverged: Option<f64>,
 }
 
-/// The settings that are compared: the default one, and two finer ones. A smaller tolerance alone would change nothing where
-/// the cap rules, so that the cap falls with it.
+/// Returns the settings to compare: the default one, and two finer ones. Where the cap limits steps, a smaller tolerance alone has no
+/// effect, so that the cap is also reduced.
 #[must_use]
 pub fn default_settings(candidate: &Candidate) -> [Control; 3] {
     let control = candidate.controls[0];
     [0, 1, 2].map(|fine| (control.kind.usual)(&control, fine))
 }
 
-/// A place where methods fail: a scene, and rays in it.
+/// A situation in which methods fail: a scene, and rays in it.
 #[derive(Debug)]
 pub struct Place<'a> {
     gpu: &'a Gpu,
@@ -64,7 +64,7 @@ pub struct Place<'a> {
 }
 
 impl<'a> Place<'a> {
-    /// Finds the true ends of the rays.
+    /// Computes the reference solutions of the rays.
     pub fn new(gpu: &'a Gpu, name: &str, scene: &Scene, rays: &[[f64; 6]]) -> Result<Self, RenderError> {
         let mut scene = scene.clone();
         scene.rays.max_segments = SEGMENTS;
@@ -73,14 +73,14 @@ impl<'a> Place<'a> {
         Ok(Self { gpu, name: name.to_owned(), scene, rays, truth })
     }
 
-    /// What becomes of the rays under every method that the law allows, or under those named.
+    /// Returns the outcomes of the rays with every method that the law allows, or with the given ones.
     pub fn outcomes(&self, only: Option<&[&str]>) -> Result<Vec<Outcome>, RenderError> {
         let methods = all_methods(&self.scene);
         let wanted = methods.iter().filter(|method| only.is_none_or(|only| only.contains(&method.name)));
         wanted.map(|candidate| self.outcome(candidate, default_settings(candidate))).collect()
     }
 
-    /// What becomes of them under one method at three settings.
+    /// Returns the outcome of one method at three settings.
     pub fn outcome(&self, candidate: &Candidate, settings: [Control; 3]) -> Result<Outcome, RenderError> {
         let scene = candidate.applied(&self.scene, settings[0]);
         let few = RenderSettings { segments: 256, ..RenderSettings::default() };
@@ -121,7 +121,7 @@ impl<'a> Place<'a> {
         }
     }
 
-    /// By how much two ends differ: in direction, in speed, and in place as a part of the scene's size.
+    /// Returns the difference of two ends in direction, speed, and position relative to the scene's size.
     fn differ(&self, a: &Traced, b: &Traced) -> f64 {
         if (a.status, a.object) != (b.status, b.object) {
             return f64::INFINITY;
@@ -134,7 +134,7 @@ impl<'a> Place<'a> {
         a.angle_to(b).max(place).max(speed)
     }
 
-    /// Until which τ every ray is right, tried at tenths of `rays.max_parameter`; none without a length.
+    /// Returns the τ up to which every ray is right, in tenths of `rays.max_parameter`, or `None` without this key.
     pub fn divergence(&self, candidate: &Candidate) -> Result<Option<f64>, RenderError> {
         let Some(length) = self.scene.rays.length else { return Ok(None) };
         let mut right = 0.0;
@@ -153,7 +153,7 @@ impl<'a> Place<'a> {
 }
 
 impl Outcome {
-    /// As cells of a table.
+    /// Returns the cells of a table.
     #[must_use]
     pub fn cells(&self) -> Vec<String> {
         let counts = [self.right, self.given_up, self.over, self.disagreeing, self.unresolved, self.silent];
@@ -162,7 +162,7 @@ impl Outcome {
         names.into_iter().chain(counts.map(|n| n.to_string())).chain([diverged]).collect()
     }
 
-    /// The names of the cells.
+    /// Returns the names of the cells.
     #[must_use]
     pub fn header() -> Vec<String> {
         let names = "place | method | right | given up | over tolerance | settings differ | unresolved | silent | right until τ";

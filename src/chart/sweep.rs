@@ -1,8 +1,7 @@
-//! Every method of a scene's law over its range of settings: what it costs, and how far it is from the truth.
+//! The sweep of every method of a scene's law over its settings, which measures cost and error.
 //!
-//! *Practice.* Errors come from a few hundred rays, whose truth is known to many digits; times from the advance passes of the
-//! picture itself, at a size of at least as many rays as asked for, as medians of repeats. A method's program is compiled once,
-//! for only numbers change.
+//! *Practice.* Errors come from a few hundred rays with a precise reference solution. Times are medians of repeats of the image's advance
+//! passes, at a size of at least the required number of rays. Each method's program is compiled once, because only numbers change.
 
 use crate::gpu::Gpu;
 use crate::measure::{Candidate, Deviations, Truth, all_methods, drift, evaluations, method_words, scattered};
@@ -10,74 +9,73 @@ use crate::program::{Choice, Schedule};
 use crate::render::{RenderError, RenderSettings, Renderer, Starts, Traced, Tracer};
 use crate::scene::Scene;
 
-/// How to measure.
+/// The settings of a sweep.
 #[derive(Debug, Clone, Copy)]
 pub struct Sweep<'a> {
-    /// Where.
+    /// The device.
     pub gpu: &'a Gpu,
-    /// Rays that are timed, at least.
+    /// The minimum number of timed rays.
     pub rays: u32,
-    /// Rays whose error is measured.
+    /// The number of rays whose error is measured.
     pub compared: usize,
-    /// Each time is the median of so many.
+    /// The number of repeats, whose median is each time.
     pub repeats: usize,
-    /// The schedule that is timed.
+    /// The schedule to time.
     pub schedule: Schedule,
-    /// A method's curve ends at the setting that takes so many times the fastest method's time.
+    /// The multiple of the fastest method's time at which a method's curve ends.
     pub slowest: f64,
 }
 
 /// A method at a setting.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Point {
-    /// The method and setting in words of the scene format.
+    /// A description of the method and setting in terms of the scene format.
     pub words: String,
-    /// The setting's number: η, degrees or tolerance.
+    /// The number of the setting: η, degrees or tolerance.
     pub setting: f64,
-    /// Errors.
+    /// The errors.
     pub found: Deviations,
-    /// Time of the advance and intersection passes over one ray, seconds: the median. Scattering counts where it is no pass of its
-    /// own.
+    /// The median time of the advance and intersection passes per ray, in seconds. Scattering is included unless it is a separate pass.
     pub time: f64,
-    /// The longest of the repeats over the shortest.
+    /// The ratio of the longest repeat to the shortest.
     pub spread: f64,
-    /// Evaluations of the law's rate, a ray.
+    /// The number of derivative evaluations per ray.
     pub evaluations: f64,
-    /// Accepted steps, a ray.
+    /// The number of accepted steps per ray.
     pub steps: f64,
-    /// Rejected steps, a ray.
+    /// The number of rejected steps per ray.
     pub rejected: f64,
-    /// The drift of each quantity that the law keeps: 95 of 100 rays drift by no more.
+    /// The bound of the drift of each constant of motion for 95 of 100 rays.
     pub drifts: Vec<(&'static str, f64)>,
-    /// Root of the mean square difference of the picture's colors, each cut to [0, 1], from the reference picture's.
+    /// The root mean square difference of the image's colors, each clipped to [0, 1], from the reference image.
     pub image: f64,
 }
 
-/// A method over its settings, from coarse to fine.
+/// A method with its settings, from coarse to fine.
 #[derive(Debug, Clone, PartialEq)]
 pub struct MethodCurve {
     /// The method.
     pub name: &'static str,
-    /// Its settings.
+    /// The settings.
     pub points: Vec<Point>,
 }
 
 /// All methods of a scene.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SceneChart {
-    /// The scene's name.
+    /// The name of the scene.
     pub scene: String,
-    /// Rays that were timed.
+    /// The number of timed rays.
     pub rays: u64,
-    /// Rays whose error was measured, and those whose truth is not known.
+    /// The number of rays whose error was measured, and the number without a reference solution.
     pub compared: [usize; 2],
     /// The methods.
     pub curves: Vec<MethodCurve>,
 }
 
-/// The truth's tolerance.
+/// The tolerance of the reference solution.
 const TOLERANCE: f64 = 1e-12;
-/// Segments of a path, at most: what needs more has lost the race.
+/// The largest number of segments of a path; settings that need more are too slow.
 const SEGMENTS: u32 = 20_000;
 
 struct Measured {
@@ -87,7 +85,7 @@ struct Measured {
 }
 
 impl Sweep<'_> {
-    /// Measures every method of `scene` that is wanted.
+    /// Measures every requested method of `scene`.
     pub fn scene(
         &self,
         name: &str,
@@ -108,7 +106,7 @@ impl Sweep<'_> {
         for (i, candidate) in candidates.into_iter().enumerate() {
             progress(candidate.name);
             stage.reach(i as f64);
-            // A method is no known number of renders.
+            // The number of renders of a method is not known in advance.
             let _renders = self.gpu.progress.stage(candidate.name);
             let points = self.method(&scene, &candidate, starts, &truth, &reference, &mut fastest)?;
             curves.push(MethodCurve { name: candidate.name, points });
@@ -118,7 +116,7 @@ impl Sweep<'_> {
         Ok(SceneChart { scene: name.to_owned(), rays, compared, curves })
     }
 
-    /// One sample a pixel, and as many pixels as rays are wanted, in the picture's own proportions.
+    /// Returns the scene with one sample per pixel and as many pixels as required rays, with the image's aspect ratio.
     fn sized(&self, scene: &Scene) -> Scene {
         let mut scene = scene.clone();
         let [width, height] = scene.image.size.map(f64::from);
@@ -129,7 +127,7 @@ impl Sweep<'_> {
         scene
     }
 
-    /// The picture by the most accurate method in 32 bits that needs no trust in the others.
+    /// Returns the image by the most accurate method in 32 bits that needs no comparison with others.
     fn reference_picture(&self, scene: &Scene) -> Result<Vec<f32>, RenderError> {
         let scene = crate::measure::reference(scene, 1e-9);
         let other = crate::measure::double_device(self.gpu)?;
@@ -163,7 +161,7 @@ impl Sweep<'_> {
             let steps = mean(&rays, |ray| ray.steps);
             let rejected = mean(&rays, |ray| ray.rejected);
             let longest = rays.iter().map(|ray| ray.depth).fold(0.0, f64::max);
-            // As many passes as the paths need, for empty ones take time too.
+            // The number of passes follows the longest path, because empty passes also take time.
             all.retune(control, SEGMENTS.min(2 * longest as u32 + 8))?;
             let expected =
                 points.last().map_or(0.0, |last| last.time * (steps + rejected) / (last.steps + last.rejected));
@@ -190,7 +188,7 @@ impl Sweep<'_> {
     }
 }
 
-/// Renders the picture a few times: seconds of the advance passes.
+/// Renders the image a few times, and returns the time of the advance passes in seconds.
 fn timed(renderer: &mut Renderer, repeats: usize) -> Result<Measured, RenderError> {
     let mut seconds = Vec::new();
     let mut colors = Vec::new();
@@ -204,7 +202,7 @@ fn timed(renderer: &mut Renderer, repeats: usize) -> Result<Measured, RenderErro
     Ok(Measured { seconds: seconds[repeats / 2], spread, colors })
 }
 
-/// From what the true end keeps, which is what the start did.
+/// Returns the drift relative to the constants at the true end, which equal those at the start.
 fn drifts(scene: &Scene, rays: &[Traced], truth: &Truth) -> Vec<(&'static str, f64)> {
     let pairs = rays.iter().zip(&truth.0).filter_map(|(ray, truth)| {
         let truth = truth.whole().filter(|truth| truth.status == ray.status)?;
@@ -223,14 +221,14 @@ fn root_mean_square(a: &[f32], b: &[f32]) -> f64 {
 }
 
 impl SceneChart {
-    /// The least error that any method reached (95 of 100 rays): what rounding leaves.
+    /// Returns the least error that any method reached (for 95 of 100 rays), which rounding limits.
     #[must_use]
     pub fn floor(&self) -> f64 {
         let errors = self.curves.iter().flat_map(|curve| &curve.points).map(|point| point.found.seen.p95);
         errors.filter(|error| *error > 0.0).fold(f64::INFINITY, f64::min)
     }
 
-    /// The fastest method and setting by which 95 of 100 rays err by at most `error`.
+    /// Returns the fastest method and setting with which 95 of 100 rays have errors of at most `error`.
     #[must_use]
     pub fn fastest(&self, error: f64) -> Option<(&MethodCurve, &Point)> {
         let all = self.curves.iter().flat_map(|curve| curve.points.iter().map(move |point| (curve, point)));
