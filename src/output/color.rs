@@ -7,8 +7,8 @@ use std::sync::LazyLock;
 
 use crate::scene::Tonemap;
 
-/// Returns the tone-mapped value, from 0 to 1, of a linear one: clipped at 1, or by Narkowicz's fit of the ACES film curve (2015), `x(2.51x
-/// + 0.03) / (x(2.43x + 0.59) + 0.14)`, per channel.
+/// Returns the tone-mapped value, from 0 to 1, of a linear one: clipped at 1, or by Narkowicz's fit of the ACES film curve (2015),
+/// `x(2.51x + 0.03) / (x(2.43x + 0.59) + 0.14)`, per channel.
 #[must_use]
 pub fn tonemapped(tonemap: Tonemap, x: f64) -> f64 {
     let mapped = match tonemap {

@@ -2,7 +2,7 @@
 //!
 //! *Practice.* The file implements the contract of the built-in laws in `shaders/law/`, as far as `depends` requires:
 //!
-//! | `depends` | what the file must have |
+//! | `depends` | required function |
 //! |---|---|
 //! | `"place"` | `fn law_acceleration(x: Real3, held: Real) -> Real3`, and `law_held` if something is held along a ray |
 //! | `"velocity"` | `fn law_pull(x: Real3, v: Real3) -> Real3`: the acceleration by place and velocity |
