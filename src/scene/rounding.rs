@@ -4,9 +4,9 @@
 //! *Theory.* A coordinate x has an error of 2⁻²⁴ |x|. A ray is as accurate as the coarsest positions of its computation, the camera's and
 //! the object's. The error is visible if it is a large fraction of the object or of a pixel's footprint. Larger errors of methods are
 //! measured elsewhere; if paths are straight or have a closed form, rounding is the only error.
+//!
 //! *Practice.* The host computes a few products per object. The result is a warning instead of an error, because parts of such an image may
 //! be correct.
-//! *Practice.* A few products an object, on the host. It is a warning and no error: parts of such a picture may be right.
 
 use super::{Picture, Precision, Scene};
 

@@ -4,10 +4,10 @@
 //!
 //! | `depends` | required function |
 //! |---|---|
-//! | `"place"` | `fn law_acceleration(x: Real3, held: Real) -> Real3`, and `law_held` if something is held along a ray |
-//! | `"velocity"` | `fn law_pull(x: Real3, v: Real3) -> Real3`: the acceleration by place and velocity |
-//! | `"time"` | `fn law_pull_at(x: Real3, v: Real3, tau: Real) -> Real3`: and by τ, from the ray's start |
-//! | `"flow"` | `fn flow_field(x: Real3) -> Real3`: a law of the first order gives the velocity itself |
+//! | `"place"` | `fn law_acceleration(x: Real3, held: Real) -> Real3`, and `law_held` if each ray stores a constant |
+//! | `"velocity"` | `fn law_pull(x: Real3, v: Real3) -> Real3`: the acceleration by position and velocity |
+//! | `"time"` | `fn law_pull_at(x: Real3, v: Real3, tau: Real) -> Real3`: the acceleration by position, velocity and τ from the ray's start |
+//! | `"flow"` | `fn flow_field(x: Real3) -> Real3`: the velocity of a first-order law |
 //!
 //! The file may also define `law_start`, `law_projected` and `law_scale` (`flow_time` for a flow), and otherwise uses the defaults.
 //! Parameters are members of `law`: a number is a `Real`, an array of 2 to 4 numbers a vector. Other names are private to the file. Loops
