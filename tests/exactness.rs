@@ -136,7 +136,7 @@ fn nothing_can_be_taken_out_of_any_program() {
 /// What scenes of `scenes/` do not have: filters by formulas of which some are constant, and every look of a texture.
 const FILTERS: [&str; 6] = [
     "coefficient = [\"0.4\", \"r\", \"x^2\"]",
-    "color = [\"0.4\", \"1\", \"exp(-r)\"]",
+    "transmittance = [\"0.4\", \"1\", \"exp(-r)\"]",
     "texture = \"mix\", frequency = 2, low = [0, 0, 0], high = [1, 1, 1]",
     "texture = \"wrapped\", frequency = 0.8, low = [0.3, 0.05, 0.1], high = [0.9, 1.0, 0.4]",
     "texture = \"rainbow\", frequency = 2",

@@ -12,7 +12,8 @@ use super::*;
 use crate::scene::Scene;
 
 /// The beginning of each of [`OTHERS`].
-const BEGINNING: &str = "camera.position = [0, 0, 9]\nrays.bound.radius = 90\nmaterials.m.diffuse = [0.5, 0.5, 0.5]\n";
+const BEGINNING: &str =
+    "camera.position = [0, 0, 9]\nrays.bounding_sphere.radius = 90\nmaterials.m.diffuse = [0.5, 0.5, 0.5]\n";
 
 /// Scenes, each with modules that no scene before it links.
 const OTHERS: [&str; 15] = [

@@ -99,11 +99,11 @@ fn changes_that_do_not_suit_the_scene_exit_with_1() {
         ("--set rays.bounding_sphere.radius=nan", &["--set rays.bounding_sphere.radius=nan:1:29: not a finite number"]),
         (
             "--set rays.bounding_sphere=abc",
-            &[":1:12: expected a table, found the string \"abc\"", "bounding_sphere = { radius = 50 }"],
+            &[":1:22: expected a table, found the string \"abc\"", "bounding_sphere = { radius = 50 }"],
         ),
         (
             "--set rays.bounding_sphere=7.5",
-            &[":1:12: expected a table, found a number", "for example bounding_sphere = { radius = 7.5 }"],
+            &[":1:22: expected a table, found a number", "for example bounding_sphere = { radius = 7.5 }"],
         ),
         ("--set objects.3.radius=1", &[":1:1: `objects` has 1 entries, counted from 0, and none is `3`"]),
         ("--set image.samples=0", &["--set image.samples=0:1:15: expected a whole number, 1 to 1048576, found 0"]),
