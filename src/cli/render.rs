@@ -306,7 +306,7 @@ pub(super) fn warn(totals: &Totals) {
     if totals.unfiltered > 0 {
         tell!(
             "warning: on {} stretches of paths a filter could not be had to its tolerance, or is below 0 or above 1 there: raise \
-             absorption.tolerance, or mend the formula",
+             absorption.tolerance, or correct the formula",
             totals.unfiltered
         );
     }

@@ -34,7 +34,7 @@ pub fn read(root: &TableReader, rays: Option<&TableReader>, law: Option<&dyn Law
 pub fn refuse(root: &TableReader, lights: &[Light]) {
     if !lights.is_empty() {
         let problem = "lights without a surface are never met by a path, so that they give it nothing";
-        let help = "use a small ball of an emissive material in place of each, or lighting = \"direct\"";
+        let help = "use a small ball of an emissive material instead of each, or lighting = \"direct\"";
         root.fault(&["lights"], problem, help);
     }
 }
