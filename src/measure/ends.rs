@@ -117,7 +117,7 @@ impl Finest {
         finest
     }
 
-    /// Returns the error bound of 99 of 100 rays of a run, in radians. Unsettled rays count as wrong, unless there are so many that only
+    /// Returns the error bound of 99 of 100 rays of a run, in radians. Unsettled rays count as wrong, unless there are too many: then only
     /// the others can be judged.
     pub fn deviation(&self, ends: &[End]) -> f64 {
         let skips = self.rays.is_lacking();

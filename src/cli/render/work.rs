@@ -46,7 +46,7 @@ pub(super) struct Work<'a> {
 }
 
 impl Arguments {
-    /// Returns the scene with its method, and the settings that reuse what is compiled already. The first whole frame of an animation
+    /// Returns the scene with its method, and settings that reuse the compiled program. The first whole frame of an animation
     /// determines the method of all frames, so that processes with other frames or parts make the same choice.
     pub(super) fn lead<'a>(
         &self,

@@ -64,7 +64,7 @@ fn part(node: &Node) -> Read<DVec3> {
         let problem = format!("expected channels from 0 to 1, found {}", color.max_element());
         return Err(node.fault(
             problem,
-            "it is what is left of light after a unit length; a medium that adds light has `emission`",
+            "transmittance is the fraction of light left after a unit length; for a medium that adds light, use `emission`",
         ));
     }
     Ok(color)
