@@ -3,7 +3,7 @@
 SHELL := /bin/bash
 .SHELLFLAGS := -euo pipefail -c
 
-.PHONY: render gallery test fuzz fuzz-lines fuzz-program release device tools clean
+.PHONY: render gallery manual test fuzz fuzz-lines fuzz-program release device tools clean
 
 render: device
 	cargo build --release
@@ -15,6 +15,12 @@ render: device
 gallery: device
 	cargo build --release
 	cargo run -q --release --example gallery -- target/release/bentray out $(GALLERY)
+
+# The manual as a web site: the example writes its source, mdBook makes the pages, and every link is checked.
+manual:
+	cargo build
+	cargo run -q --example manual -- target/debug/bentray target/manual
+	cargo run -q --manifest-path manual/site/Cargo.toml --target-dir target/site -- target/manual
 
 # One more than there are processors: some tests wait, for a queue or for a child.
 TESTS_AT_ONCE := $(shell echo $$(($$(getconf _NPROCESSORS_ONLN) + 1)))

@@ -1,7 +1,7 @@
 //! Bentray renders scenes in which light follows curves: around black holes, through force fields, lenses and air of varying refractive
 //! index, along the flow of a chaotic system, or by a custom law.
 //!
-//! *Usage.* Read the [`guide`]. Each subject has a page, which `bentray help TOPIC` prints too.
+//! *Usage.* Read the manual: `make manual` builds it as a web site, and `bentray help PAGE` prints each page of `manual/pages`.
 //!
 //! *Theory.* Weiskopf, Schafhitzel and Ertl, *GPU-based nonlinear ray tracing* (2004): a camera sets up the rays; they are integrated step
 //! by step, intersected with the scene segment by segment, terminated early, and shaded once. All stages run on the GPU and keep the state

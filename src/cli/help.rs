@@ -1,6 +1,6 @@
-//! `bentray help`: lists the commands, and prints their options and the pages of the guide.
+//! `bentray help`: lists the commands, and prints their options and the pages of the manual.
 //!
-//! *Idea.* A topic is a command, or a page of [`guide`](crate::guide). If one name is both, like `light`, both are printed.
+//! *Idea.* A topic is a command, or a page of the [manual](crate::guide). If one name is both, like `light`, both are printed.
 
 use std::fmt::Write;
 use std::process::ExitCode;
@@ -9,27 +9,34 @@ use clap::Args;
 
 use crate::document::values::suggest;
 use crate::error::Error;
-use crate::guide::{PAGES, Page, pages, physics};
+use crate::guide::{Page, pages};
 
 /// The exit code for a usage error, as in clap.
 const USAGE: u8 = 2;
 
-/// Print this message, the help of a command, or a page of the guide
+/// Print this message, the help of a command, or a page of the manual
 #[derive(Debug, Args)]
 pub(super) struct Arguments {
-    /// A command, such as `render`, or a topic of the guide, such as `scenes`
+    /// A command, such as `render`, or a page of the manual, such as `scenes`
     topic: Vec<String>,
 }
 
-/// Returns the list of the guide's topics, for display below the commands.
+/// Returns the list of the manual's pages by part, for display below the commands.
 pub(super) fn topics() -> String {
-    let mut text = "Topics of the guide, for `bentray help TOPIC`:\n".to_owned();
-    for Page { name, about, .. } in PAGES.iter().chain([&physics::CONTENTS]) {
+    let mut text = "The manual, for `bentray help PAGE`:".to_owned();
+    let mut part = None;
+    for page in pages() {
         // Writing to a string cannot fail.
-        let _ = writeln!(text, "  {name:<11}  {about}");
+        let _ = if part == Some(page.part) {
+            write!(text, ", {}", page.name)
+        } else if page.part.is_empty() {
+            write!(text, "\n  {}", page.name)
+        } else {
+            write!(text, "\n  {}: {}", page.part, page.name)
+        };
+        part = Some(page.part);
     }
-    let names: Vec<&str> = physics::PAGES.iter().map(|page| page.name).collect();
-    text + "  and on physics: " + &names.join(", ")
+    text
 }
 
 /// Prints the help of a topic; `cli` is the whole command line.

@@ -1,11 +1,12 @@
-//! The guide and the README say what is so: their scenes load, their commands run, their keys exist, and every page is in its lists.
+//! The manual and the README are true: their scenes load, their commands run, their keys, links and pictures exist, and every page is
+//! listed.
 
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output, Stdio};
 use std::thread;
 
-use bentray::guide::{PAGES, pages, physics};
+use bentray::guide::{Page, blocks, pages};
 use bentray::scene::{REFERENCE, Scene};
 
 fn root() -> &'static Path {
@@ -20,16 +21,6 @@ fn read(file: &str) -> String {
 fn texts() -> Vec<(String, String)> {
     let pages = pages().map(|page| (page.name.to_owned(), page.text.to_owned()));
     [("README.md".to_owned(), read("README.md"))].into_iter().chain(pages).collect()
-}
-
-/// The contents of a text's blocks of code that begin with this word behind the fence.
-fn blocks(text: &str, language: &str) -> Vec<String> {
-    let mut fences = text.split("```");
-    let mut found = Vec::new();
-    while let (Some(_), Some(block)) = (fences.next(), fences.next()) {
-        found.extend(block.strip_prefix(language).and_then(|rest| rest.strip_prefix('\n')).map(str::to_owned));
-    }
-    found
 }
 
 /// What a text has between single backticks, outside of blocks.
@@ -78,31 +69,6 @@ fn what_is_shown_of_scenes_loads() {
     assert!(count > 25, "{count}");
 }
 
-/// The words of a line, as a shell splits them.
-fn words(line: &str) -> Vec<String> {
-    let (mut words, mut quote, mut begun) = (vec![String::new()], None, false);
-    for sign in line.chars() {
-        match quote {
-            None if sign == '"' || sign == '\'' => (quote, begun) = (Some(sign), true),
-            Some(open) if sign == open => quote = None,
-            None if sign == ' ' && (begun || words.last().is_some_and(|word| !word.is_empty())) => {
-                words.push(String::new());
-                begun = false;
-            }
-            None if sign == ' ' => {}
-            _ => words.last_mut().unwrap().push(sign),
-        }
-    }
-    words
-}
-
-/// The commands that a text has in blocks of `sh`, without the program's name.
-fn commands(text: &str) -> Vec<Vec<String>> {
-    let lines: Vec<String> =
-        blocks(text, "sh").iter().flat_map(|block| block.lines().map(str::to_owned).collect::<Vec<_>>()).collect();
-    lines.iter().filter_map(|line| line.strip_prefix("bentray ")).map(words).collect()
-}
-
 /// Runs a command in a folder; scenes are the project's.
 fn run(folder: &Path, cache: &Path, words: &[String]) -> Output {
     let scene = |word: &String| {
@@ -132,11 +98,12 @@ fn quick(words: &[String]) -> Vec<String> {
         "light" => add("--set lights.0.voxels=8"),
         _ => {}
     }
-    if words[0] == "render" && (!has("--size") || has("400x300")) {
-        add("--set image.size=[24,16]");
-    }
-    if let Some(at) = quick.iter().position(|word| word == "400x300") {
-        quick.drain(at - 1..=at);
+    // The rows and columns of a region are of the size that is given.
+    if words[0] == "render" && !has("--crop") {
+        if let Some(at) = quick.iter().position(|word| word == "--size") {
+            quick.drain(at..at + 2);
+        }
+        quick.extend(["--set".to_owned(), "image.size=[24,16]".to_owned()]);
     }
     quick
 }
@@ -153,34 +120,58 @@ fn checked(words: &[String]) -> Vec<String> {
     ["check".to_owned(), words[1].clone()].into_iter().chain(changes).collect()
 }
 
-/// Every command of README and guide runs, in its page's order. Those of the physics pages are rendered by the gallery's test.
+/// Whether a later command reads a file that this one writes.
+fn is_read(words: &[String], later: &[Vec<String>]) -> bool {
+    let outputs = words.iter().zip(&words[1..]).filter(|(flag, _)| *flag == "-o").map(|(_, file)| file);
+    let stems: Vec<&str> = outputs.map(|file| file.split(['.', '{']).next().unwrap()).collect();
+    later.iter().any(|words| {
+        let inputs = words.iter().zip(&words[1..]).filter(|(flag, word)| *flag != "-o" && !word.ends_with(".toml"));
+        inputs.map(|(_, word)| word).any(|word| stems.iter().any(|stem| word.starts_with(stem)))
+    })
+}
+
+/// Every command of README and manual runs, in its page's order. Each page's first render runs at a small size, and so does a render
+/// whose files a later command reads. Of the others the options are read and the scene is checked, with its changes.
 #[test]
 fn commands_run() {
     let cache = tempfile::tempdir().unwrap();
-    let run_all = |name: &str, text: &str| {
+    let run_all = |page: Page| {
         let folder = tempfile::tempdir().unwrap();
         std::fs::write(folder.path().join("places.csv"), "x,y,z\n0.5,0,0.5\n").unwrap();
-        let is_physics = physics::PAGES.iter().any(|page| page.name == name);
-        let commands = commands(text);
-        for words in &commands {
+        for (name, text) in page.files() {
+            std::fs::write(folder.path().join(name), text).unwrap();
+        }
+        let commands = page.commands();
+        let first = commands.iter().position(|words| words[0] == "render");
+        for (i, words) in commands.iter().enumerate() {
+            let is_small = first == Some(i) && page.part != "Physics" || is_read(words, &commands[i + 1..]);
             let runs = match words[0].as_str() {
                 "compare" | "bench" => vec![only_read(words)],
-                "render" if is_physics => vec![only_read(words), checked(words)],
+                "render" if !is_small => vec![only_read(words), checked(words)],
                 _ => vec![quick(words)],
             };
             for words in runs {
                 let output = run(folder.path(), cache.path(), &words);
-                assert!(output.status.success(), "{name}: {words:?}: {}", String::from_utf8_lossy(&output.stderr));
+                assert!(
+                    output.status.success(),
+                    "{}: {words:?}: {}",
+                    page.name,
+                    String::from_utf8_lossy(&output.stderr)
+                );
             }
         }
         commands.len()
     };
-    let texts = texts();
+    let mut all: Vec<Page> = pages().collect();
+    let readme = read("README.md").leak();
+    all.push(Page { part: "", name: "README", title: "", path: "../README.md", text: readme });
+    let next = std::sync::Mutex::new(all.into_iter());
     let count: usize = thread::scope(|scope| {
-        let running: Vec<_> = texts.iter().map(|(name, text)| scope.spawn(|| run_all(name, text))).collect();
-        running.into_iter().map(|page| page.join().unwrap()).sum()
+        let work = || std::iter::from_fn(|| next.lock().unwrap().next()).map(run_all).sum::<usize>();
+        let running: Vec<_> = (0..3).map(|_| scope.spawn(work)).collect();
+        running.into_iter().map(|worker| worker.join().unwrap()).sum()
     });
-    assert!(count > 50, "{count}");
+    assert!(count > 200, "{count}");
 }
 
 /// What prose calls `bentray NAME` is a command.
@@ -231,29 +222,66 @@ fn markdown_in(folder: &Path) -> BTreeSet<PathBuf> {
 }
 
 #[test]
-fn every_page_is_in_its_lists() {
-    let folder = root().join("src/guide");
-    let file = |name: &str| {
-        let own = folder.join(format!("{name}.md"));
-        if own.exists() { own } else { folder.join(format!("physics/{name}.md")) }
+fn every_page_is_listed() {
+    let files = markdown_in(&root().join("manual/pages"));
+    assert_eq!(files, pages().map(|page| root().join("manual").join(page.path)).collect());
+    let names: BTreeSet<&str> = pages().map(|page| page.name).collect();
+    assert_eq!(names.len(), files.len(), "two pages have one name");
+    for page in pages() {
+        assert!(page.text.starts_with("# "), "{} has no title", page.name);
+    }
+}
+
+/// The text and target of every link and picture of a Markdown text.
+fn links(text: &str) -> Vec<String> {
+    use pulldown_cmark::{Event, Parser, Tag};
+    let target = |event| match event {
+        Event::Start(Tag::Link { dest_url, .. } | Tag::Image { dest_url, .. }) => Some(dest_url.to_string()),
+        _ => None,
     };
-    assert_eq!(markdown_in(&folder), pages().map(|page| file(page.name)).collect());
-    let (readme, contents) = (read("README.md"), read("src/guide/mod.rs"));
-    for page in PAGES {
-        assert!(
-            readme.contains(&format!("| [{0}](src/guide/{0}.md) | ", page.name)),
-            "{} is not in the README",
-            page.name
-        );
-        assert!(contents.contains(&format!("| [`{}`] | ", page.name)), "{} is not in src/guide/mod.rs", page.name);
+    Parser::new(text).filter_map(target).collect()
+}
+
+/// A heading as its address in a page, as GitHub and mdBook make it.
+fn address(heading: &str) -> String {
+    let kept = heading.to_lowercase().replace(' ', "-");
+    kept.chars().filter(|sign| sign.is_alphanumeric() || "-_".contains(*sign)).collect()
+}
+
+/// Every link of a page leads to a file, and to a heading if it names one. Every picture of the manual is shown, and the page that shows it
+/// has a command that makes it.
+#[test]
+fn links_and_pictures_of_pages_exist() {
+    let mut shown = BTreeSet::new();
+    for page in pages() {
+        let folder = root().join("manual").join(page.path).parent().unwrap().to_owned();
+        for target in links(page.text).into_iter().filter(|target| !target.contains("://")) {
+            let (file, heading) = target.split_once('#').unwrap_or((&target, ""));
+            let path = if file.is_empty() { root().join("manual").join(page.path) } else { folder.join(file) };
+            // Two chapters are made from the program.
+            let is_made = ["reference/keys.md", "reference/commands.md"].iter().any(|made| path.ends_with(made))
+                || path.to_string_lossy().contains("/reference/table_");
+            assert!(is_made || path.exists(), "{}: {target}", page.name);
+            if !heading.is_empty() && !is_made {
+                let text = std::fs::read_to_string(&path).unwrap();
+                let found = text
+                    .lines()
+                    .any(|line| line.starts_with('#') && address(line.trim_start_matches(['#', ' '])) == heading);
+                assert!(found, "{}: no heading for {target}", page.name);
+            }
+            if let Some(name) = file.strip_prefix("../../pictures/") {
+                let stem = name.split('.').next().unwrap();
+                let stem = stem.trim_end_matches(|sign: char| sign.is_ascii_digit());
+                let is_written = |words: &Vec<String>| {
+                    words.iter().any(|word| word.starts_with(stem) || word.contains(&format!("/{stem}")))
+                };
+                assert!(page.commands().iter().any(is_written), "{}: no command makes {name}", page.name);
+                shown.insert(name.to_owned());
+            }
+        }
     }
-    for page in physics::PAGES {
-        assert!(
-            physics::CONTENTS.text.contains(&format!("| [`{}`] | ", page.name)),
-            "{} is not in physics.md",
-            page.name
-        );
-    }
+    let kept = root().join("manual/pictures").read_dir().unwrap();
+    assert_eq!(kept.map(|entry| entry.unwrap().file_name().into_string().unwrap()).collect::<BTreeSet<_>>(), shown);
 }
 
 #[test]
@@ -283,9 +311,4 @@ fn links_lead_somewhere() {
             assert!(is_packaged, "{page}: {link} is not in the crate");
         }
     }
-}
-
-#[test]
-fn words_are_split_as_a_shell_does() {
-    assert_eq!(words("a  --set 'b c' \"d e\"f x='y z'"), ["a", "--set", "b c", "d ef", "x=y z"]);
 }

@@ -1,0 +1,317 @@
+//! Writes the source of the manual's web site, which `make manual` builds with mdBook: `cargo run --example manual -- PROGRAM OUT`.
+//!
+//! The pages are listed in `manual/SUMMARY.md`. Two chapters are made here: the keys of a scene file, from the reference of the format,
+//! and the commands, from the help of `PROGRAM`. Every file that a page links to is copied to the place that it has in the repository, so
+//! that links work in the site as they do there; a link that leads nowhere is an error.
+//!
+//! `cargo run --release --example manual -- PROGRAM OUT PAGE...` makes the pictures of these pages again, by their own commands, at full size.
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::error::Error;
+use std::fs;
+use std::path::{Component, Path, PathBuf};
+use std::process::Command;
+
+use bentray::document::KeyReference;
+use bentray::guide::{Page, pages};
+use bentray::scene::REFERENCE;
+
+type Outcome<T> = Result<T, Box<dyn Error>>;
+
+fn main() -> Outcome<()> {
+    let words: Vec<String> = std::env::args().skip(1).collect();
+    let [program, out, names @ ..] = words.as_slice() else { return Err("usage: manual PROGRAM OUT [PAGE...]".into()) };
+    let program = fs::canonicalize(program)?;
+    if !names.is_empty() {
+        let is_named = |page: &Page| names.iter().any(|name| name == page.name);
+        return pages().filter(is_named).try_for_each(|page| make_pictures(&program, page));
+    }
+    let out = Path::new(out);
+    if out.exists() {
+        fs::remove_dir_all(out)?;
+    }
+    let source = out.join("src");
+    fs::create_dir_all(&source)?;
+    let (keys, commands) = (key_pages(), command_page(&program)?);
+    let summary = read("manual/SUMMARY.md")?;
+    let mut book = Source { folder: source.clone(), copied: BTreeSet::new() };
+    for path in summary.lines().filter_map(chapter) {
+        match path.strip_prefix("manual/pages/reference/") {
+            Some("keys.md") => keys.iter().try_for_each(|(path, text)| book.write(path, text))?,
+            Some("commands.md") => book.write(&path, &commands)?,
+            _ => book.add(&path)?,
+        }
+    }
+    fs::write(source.join("SUMMARY.md"), with_tables(&summary, &keys))?;
+    println!("{} pages", book.copied.len());
+    Ok(())
+}
+
+fn root() -> &'static Path {
+    Path::new(env!("CARGO_MANIFEST_DIR"))
+}
+
+fn read(path: &str) -> Outcome<String> {
+    fs::read_to_string(root().join(path)).map_err(|error| format!("{path}: {error}").into())
+}
+
+/// Returns the file of a chapter from its line in `SUMMARY.md`, relative to the repository.
+fn chapter(line: &str) -> Option<String> {
+    let path = line.split_once("](")?.1.strip_suffix(')')?;
+    Some(joined(Path::new("manual"), path))
+}
+
+/// Returns the path from the repository to a file that is named relative to a folder.
+fn joined(folder: &Path, path: &str) -> String {
+    let mut joined = PathBuf::new();
+    for part in folder.join(path).components() {
+        match part {
+            Component::ParentDir => _ = joined.pop(),
+            Component::CurDir => {}
+            part => joined.push(part),
+        }
+    }
+    joined.display().to_string()
+}
+
+/// The source of the book: copies of pages and of the files that they link to.
+struct Source {
+    folder: PathBuf,
+    copied: BTreeSet<String>,
+}
+
+impl Source {
+    fn write(&mut self, path: &str, text: &str) -> Outcome<()> {
+        self.copied.insert(path.to_owned());
+        let folder = Path::new(path).parent().unwrap_or(Path::new(""));
+        fs::create_dir_all(self.folder.join(folder))?;
+        for (_, target) in links(text) {
+            let file = joined(folder, target.split('#').next().unwrap_or(&target));
+            let is_file = !target.contains("://") && !target.starts_with('#') && !file.ends_with(".md");
+            if is_file && root().join(&file).is_file() {
+                let to = self.folder.join(&file);
+                fs::create_dir_all(to.parent().unwrap_or(&self.folder))?;
+                fs::copy(root().join(&file), to)?;
+            }
+        }
+        fs::write(self.folder.join(path), text)?;
+        Ok(())
+    }
+
+    /// Adds a page of the repository. A picture that a command of a scene's page writes is shown below the command.
+    fn add(&mut self, path: &str) -> Outcome<()> {
+        let folder = root().join(path).parent().unwrap_or(root()).join("pictures");
+        let mut text = String::new();
+        for line in read(path)?.lines() {
+            text += &format!("{line}\n");
+            let name = line.strip_prefix("    bentray ").and_then(|line| line.split(" -o ").nth(1)?.split(' ').next());
+            let name = name.map(|name| name.replace(".exr", ".png"));
+            if let Some(name) = name.filter(|name| folder.join(name).is_file()) {
+                text += &format!("\n![The image of this command](pictures/{name})\n");
+            }
+        }
+        self.write(path, &text)
+    }
+}
+
+/// Returns the text and the target of every inline link and picture of a Markdown text.
+fn links(text: &str) -> Vec<(String, String)> {
+    use pulldown_cmark::{Event, Parser, Tag, TagEnd};
+    let (mut found, mut open) = (Vec::new(), None);
+    for event in Parser::new(text) {
+        match event {
+            Event::Start(Tag::Link { dest_url, .. } | Tag::Image { dest_url, .. }) => {
+                open = Some((String::new(), dest_url.to_string()))
+            }
+            Event::End(TagEnd::Link | TagEnd::Image) => found.extend(open.take()),
+            Event::Text(text) | Event::Code(text) => {
+                if let Some((own, _)) = &mut open {
+                    *own += &text;
+                }
+            }
+            _ => {}
+        }
+    }
+    found
+}
+
+/// Lists the pages of the scene file's tables below its own.
+fn with_tables(summary: &str, keys: &[(String, String)]) -> String {
+    let mut text = String::new();
+    for line in summary.lines() {
+        let Some(path) = chapter(line) else {
+            text += &format!("{line}\n");
+            continue;
+        };
+        let (before, _) = line.split_once("](").unwrap_or((line, ""));
+        text += &format!("{before}]({path})\n");
+        if path.ends_with("/keys.md") {
+            for (path, page) in &keys[1..] {
+                let title = page.lines().next().unwrap_or("").trim_start_matches("# ");
+                text += &format!("  - [{title}]({path})\n");
+            }
+        }
+    }
+    text
+}
+
+/// Returns the pages of the reference: an overview, then a page for each table with its keys and a picture for each kind.
+fn key_pages() -> Vec<(String, String)> {
+    let pictures = pictures_of_kinds();
+    let folder = "manual/pages/reference";
+    let mut overview =
+        "# Scene file\n\nA scene is a TOML file. Each of its tables has a page here.\n\n| table | keys |\n|---|---|\n"
+            .to_owned();
+    let mut found = Vec::new();
+    for keys in REFERENCE.chunk_by(|a, b| a.table == b.table) {
+        let table = keys[0].table;
+        let title = if table.is_empty() { "Top level".to_owned() } else { format!("`[{table}]`") };
+        let file = if table.is_empty() { "top_level".to_owned() } else { table.to_lowercase().replace('.', "_") };
+        let names: Vec<String> =
+            keys.iter().map(|key| format!("`{}`", key.key)).collect::<BTreeSet<_>>().into_iter().collect();
+        overview += &format!("| [{title}](table_{file}.md) | {} |\n", names.join(", "));
+        let mut text = format!("# {title}\n\n");
+        for key in keys {
+            text += &key_section(key);
+        }
+        let shown: Vec<_> = pictures.iter().filter(|((own, ..), _)| own == table).collect();
+        if !shown.is_empty() {
+            text += "## Pictures\n\n";
+        }
+        for ((_, key, value), (picture, scene)) in shown {
+            text += &format!(
+                "`{key} = \"{value}\"`, in [{scene}](../../../{scene}):\n\n![{value}](../../../{picture})\n\n"
+            );
+        }
+        found.push((format!("{folder}/table_{file}.md"), text));
+    }
+    found.insert(0, (format!("{folder}/keys.md"), overview));
+    found
+}
+
+fn key_section(key: &KeyReference) -> String {
+    let when = if key.when.is_empty() { String::new() } else { format!("Valid with `{}`. ", key.when) };
+    let cell = |text: &str| text.replace('|', "\\|");
+    format!(
+        "## `{}`\n\n{when}{}.\n\n| value | default |\n|---|---|\n| {} | {} |\n\n",
+        key.key,
+        sentence(&key.meaning),
+        cell(&key.value),
+        cell(key.default)
+    )
+}
+
+fn sentence(text: &str) -> String {
+    let mut letters = text.chars();
+    letters.next().map_or(String::new(), |first| first.to_uppercase().chain(letters).collect())
+}
+
+/// A kind by its table, key and value.
+type Kind = (String, String, String);
+
+/// Returns a picture, with its scene, for each kind that a scene with a picture has: that of the shortest such scene.
+fn pictures_of_kinds() -> BTreeMap<Kind, (String, String)> {
+    let mut found: BTreeMap<Kind, (usize, String, String)> = BTreeMap::new();
+    for (scene, picture) in pictures_of_scenes() {
+        let Some((text, value)) =
+            read(&scene).ok().and_then(|text| Some((text.clone(), text.parse::<toml::Table>().ok()?)))
+        else {
+            continue;
+        };
+        let mut kinds = BTreeSet::new();
+        collect_kinds("", &toml::Value::Table(value), &mut kinds);
+        for kind in kinds {
+            let best = found.get(&kind).map_or(usize::MAX, |(length, ..)| *length);
+            if text.len() < best {
+                found.insert(kind, (text.len(), picture.clone(), scene.clone()));
+            }
+        }
+    }
+    found.into_iter().map(|(kind, (_, picture, scene))| (kind, (picture, scene))).collect()
+}
+
+/// Returns the scenes that a picture is kept of, from the commands of the scenes' pages that change no key, with that picture.
+fn pictures_of_scenes() -> Vec<(String, String)> {
+    let folders = ["spacetimes", "thesis", "groller", "paths"].map(|name| format!("scenes/{name}"));
+    let own = folders.iter().flat_map(|folder| {
+        let text = read(&format!("{folder}/README.md")).unwrap_or_default();
+        let commands: Vec<_> =
+            text.lines().filter_map(|line| line.strip_prefix("    bentray render ")).map(str::to_owned).collect();
+        commands.into_iter().filter_map(move |line| {
+            let words: Vec<&str> = line.split(' ').collect();
+            let is_plain =
+                !line.contains("--set") || line.matches("--set").count() == line.matches("--set image.size").count();
+            let picture = format!("{folder}/pictures/{}", words.get(2)?);
+            (is_plain && root().join(&picture).is_file()).then(|| (format!("{folder}/{}", words[0]), picture))
+        })
+    });
+    own.collect()
+}
+
+fn collect_kinds(table: &str, value: &toml::Value, kinds: &mut BTreeSet<Kind>) {
+    match value {
+        toml::Value::Table(keys) => {
+            for (key, value) in keys {
+                let is_choice =
+                    REFERENCE.iter().any(|row| row.table == table && row.key == key && row.value.contains(" | "));
+                if let (true, toml::Value::String(value)) = (is_choice, value) {
+                    kinds.insert((table.to_owned(), key.clone(), value.clone()));
+                }
+                let below = if table == "materials" { "NAME" } else { key };
+                let below = if table.is_empty() { below.to_owned() } else { format!("{table}.{below}") };
+                collect_kinds(&below, value, kinds);
+            }
+        }
+        toml::Value::Array(values) => values.iter().for_each(|value| collect_kinds(table, value, kinds)),
+        _ => {}
+    }
+}
+
+/// Returns the page of the commands: the help of each.
+fn command_page(program: &Path) -> Outcome<String> {
+    let help = |words: &[&str]| -> Outcome<String> {
+        let output = Command::new(program).args(words).arg("--help").env("COLUMNS", "100").output()?;
+        Ok(String::from_utf8(output.stdout)?.trim_end().to_owned())
+    };
+    let top = help(&[])?;
+    let mut text = "# Commands\n\nEach section is the output of `bentray COMMAND --help`.\n\n".to_owned();
+    let names = top.split("Commands:\n").nth(1).unwrap_or_default().split("\n\n").next().unwrap_or_default();
+    let names = names
+        .lines()
+        .filter_map(|line| line.strip_prefix("  ").filter(|line| !line.starts_with(' '))?.split(' ').next());
+    for name in names {
+        text += &format!("## bentray {name}\n\n```text\n{}\n```\n\n", help(&[name])?);
+    }
+    Ok(text)
+}
+
+/// Runs the commands of a page in a folder of their own, and keeps the pictures that the page shows.
+fn make_pictures(program: &Path, page: Page) -> Outcome<()> {
+    let folder = tempfile::tempdir()?;
+    std::os::unix::fs::symlink(root().join("scenes"), folder.path().join("scenes"))?;
+    for (name, text) in page.files() {
+        fs::write(folder.path().join(name), text)?;
+    }
+    for words in page.commands() {
+        println!("{}: bentray {}", page.name, words.join(" "));
+        let status = Command::new(program).args(&words).current_dir(folder.path()).status()?;
+        if !status.success() {
+            return Err(format!("{}: bentray {}", page.name, words.join(" ")).into());
+        }
+    }
+    for (_, target) in links(page.text) {
+        let Some(name) = target.strip_prefix("../../pictures/") else { continue };
+        let (made, kept) = (folder.path().join(name), root().join("manual/pictures").join(name));
+        match name.strip_suffix(".jpg") {
+            None => _ = fs::copy(made, kept)?,
+            Some(stem) => {
+                let image = image::open(folder.path().join(format!("{stem}.png")))?.to_rgb8();
+                image.write_with_encoder(image::codecs::jpeg::JpegEncoder::new_with_quality(
+                    fs::File::create(kept)?,
+                    88,
+                ))?;
+            }
+        }
+    }
+    Ok(())
+}
