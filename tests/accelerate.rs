@@ -102,7 +102,7 @@ fn arcs_agree(folder: &Path, objects: &str, rays: &[[f64; 6]], structures: &[(&s
         let brute = ends(folder, keys, objects, "none", Schedule::Fused, rays);
         let met = brute.iter().filter(|end| end.status == Status::Hit).count();
         assert!(met > rays.len() / 5, "{met} hits: {keys}");
-        arcs += brute.iter().map(|end| end.depth).sum::<f64>();
+        arcs += brute.iter().map(|end| end.segments).sum::<f64>();
         for &(accelerate, schedule) in structures {
             let found = ends(folder, keys, objects, accelerate, schedule, rays);
             let different = brute.iter().zip(&found).filter(|(a, b)| a != b).count();

@@ -273,10 +273,10 @@ fn light_of_translucent_discs_adds_up() {
             left *= 1.0 - OPACITY;
         }
         let seen = [Schedule::Whole, Schedule::Segment].map(|schedule| {
-            let choice = Choice { schedule, layers: vec![Layer::Orders], ..Choice::default() };
+            let choice = Choice { schedule, layers: vec![Layer::ImageOrder], ..Choice::default() };
             let settings = RenderSettings { choice, ..RenderSettings::default() };
             let picture = Renderer::new(&gpu(), &scene, settings).unwrap().picture().unwrap();
-            let Some(Plane::Vector(seen)) = picture.band.layer(Layer::Orders) else { panic!("no orders") };
+            let Some(Plane::Vector(seen)) = picture.band.layer(Layer::ImageOrder) else { panic!("no orders") };
             orders.resize(3, 0.0);
             // The third time some cross so far out and grazing that 32 bits tell.
             for ((seen, told), bound) in seen.iter().zip(&orders).zip([2e-3, 2e-3, 2e-2]) {

@@ -127,7 +127,7 @@ fn every_schedule_gives_the_same_bits() {
         if let Some(paths) = &mut scene.rays.paths {
             paths.aim = aim;
         }
-        let layers = vec![Layer::Error, Layer::Normal];
+        let layers = vec![Layer::StandardError, Layer::Normal];
         let of = |schedule, masks| Choice { schedule, masks, layers: layers.clone(), ..Choice::default() };
         let usual =
             rendered(&scene, RenderSettings { choice: of(Schedule::Whole, Masks::List), ..RenderSettings::default() });
@@ -189,11 +189,11 @@ fn the_error_is_what_seeds_differ_by() {
     let of = |seed: &str| {
         let change: Override = format!("path_tracing.seed={seed}").parse().unwrap();
         let scene = Scene::parse(&text, std::path::Path::new("test.toml"), &[change]).unwrap();
-        let choice = Choice { layers: vec![Layer::Error], ..Choice::default() };
+        let choice = Choice { layers: vec![Layer::StandardError], ..Choice::default() };
         rendered(&scene, RenderSettings { choice, ..RenderSettings::default() })
     };
     let [a, b] = ["1", "2"].map(of);
-    let Some(Plane::Scalar(errors)) = a.band.layer(Layer::Error) else { panic!("no errors") };
+    let Some(Plane::Scalar(errors)) = a.band.layer(Layer::StandardError) else { panic!("no errors") };
     let squares = |values: &[f32]| values.iter().map(|x| f64::from(*x).powi(2)).sum::<f64>();
     let light = |band: &bentray::render::Band, i: usize| {
         0.2126 * band.color[0][i] + 0.7152 * band.color[1][i] + 0.0722 * band.color[2][i]

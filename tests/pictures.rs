@@ -7,7 +7,7 @@ use std::sync::Arc;
 use bentray::gpu::{Geometry, memory};
 use bentray::model::shape::{Cylinder, Disk};
 use bentray::program::{Choice, Layer, Program, Schedule};
-use bentray::render::{Plane, RenderSettings, Renderer, Rendering, Status};
+use bentray::render::{Band, Plane, RenderSettings, Renderer, Rendering, Status, pixel_starts, trace_paths};
 use bentray::scene::{Object, Scene};
 use glam::DVec3;
 
@@ -35,9 +35,9 @@ fn state_on_the_device_is_small() {
         let most = if scene.rays.length.is_some() { 104 + 2 * 16 } else { 104 };
         assert!(plain <= most, "{}: {plain} bytes a pixel", path.display());
         let layered = bytes(&scene, &Choice { layers: Layer::ALL.to_vec(), ..fused() });
-        // Depth, object, status, steps and shift at 4 bytes, two vectors at 12; the steps and rejections that are counted for them; and what
-        // fills up a struct of vectors.
-        assert!(layered - plain <= 5 * 4 + 2 * 12 + 2 * 4 + 12, "{}: {layered}", path.display());
+        // Depth, segments, object, status, steps and redshift at 4 bytes, two vectors at 12; the steps, rejections and lengths that are summed
+        // for them; and the padding of a struct of vectors.
+        assert!(layered - plain <= 6 * 4 + 2 * 12 + 3 * 4 + 12, "{}: {layered}", path.display());
         scene.rays.max_segments = 100_000;
         assert_eq!(bytes(&scene, &fused()), plain);
         // A path in one pass leaves nothing but its color, which takes as much as four numbers.
@@ -51,6 +51,40 @@ fn state_on_the_device_is_small() {
 fn rendered(scene: &Scene, settings: RenderSettings) -> Rendering {
     let gpu = gpu();
     Renderer::new(&gpu, scene, settings).unwrap().picture().unwrap()
+}
+
+/// The depth of bent rays is the length of their paths, as `trace` stores them, and the same for every schedule.
+#[test]
+fn depth_is_the_length_of_the_path() {
+    let scene = scene(HOLE);
+    let layers = vec![Layer::Depth, Layer::Status];
+    let band = |schedule: Schedule| {
+        let choice = Choice { schedule, masks: schedule.masks(), layers: layers.clone(), ..Choice::default() };
+        rendered(&scene, RenderSettings { choice, ..RenderSettings::default() }).band
+    };
+    let [whole, fused, segment] = [Schedule::Whole, Schedule::Fused, Schedule::Segment].map(band);
+    let depths = |band: &Band| match band.layer(Layer::Depth) {
+        Some(Plane::Scalar(depths)) => depths.clone(),
+        _ => panic!("no depth"),
+    };
+    let found = depths(&whole);
+    assert_eq!(found, depths(&fused));
+    assert_eq!(found, depths(&segment));
+    let Some(Plane::Id(status)) = whole.layer(Layer::Status) else { panic!("no status") };
+    let (width, gpu) = (scene.image.size[0] as usize, gpu());
+    let hits: Vec<usize> = (0..found.len()).filter(|i| status[*i] == Status::Hit.code()).step_by(7).collect();
+    assert!(hits.len() > 20, "{}", hits.len());
+    assert!((0..found.len()).all(|i| (found[i] == 1e10) == (status[i] != Status::Hit.code())));
+    // Chords of steps this fine are shorter than their arcs by less than 1e-4 of them.
+    let fine = crate::support::scene(&HOLE.replace("[rays]\n", "[rays]\nmethod = \"rk4\"\nscaled_step = 0.02\n"));
+    let pixels: Vec<[u32; 2]> = hits.iter().map(|i| [(i % width) as u32, (i / width) as u32]).collect();
+    let settings = RenderSettings::default();
+    let starts = pixel_starts(&gpu, &fine, &settings, &pixels).unwrap();
+    let paths = trace_paths(&gpu, &fine, &settings, &starts).unwrap();
+    for (i, (_, path)) in hits.iter().zip(paths) {
+        let length: f64 = path.windows(2).map(|pair| DVec3::from(pair[0].x).distance(pair[1].x.into())).sum();
+        assert!((f64::from(found[*i]) / length - 1.0).abs() < 1e-3, "{} instead of {length}", found[*i]);
+    }
 }
 
 /// Tiles of any size give the same picture, samples and layers with it.
@@ -177,7 +211,7 @@ fn cylinders_and_disks_are_where_they_are() {
     let scene = scene(ROUND);
     let choice = Choice { layers: vec![Layer::Object], ..Choice::default() };
     let picture = rendered(&scene, RenderSettings { choice, ..RenderSettings::default() });
-    let [(_, Plane::Id(seen))] = &picture.band.layers[..] else { panic!("one layer") };
+    let [(_, Plane::Scalar(seen))] = &picture.band.layers[..] else { panic!("one layer") };
     let camera = scene.camera.as_ref().expect("a camera");
     let half = 25_f64.to_radians().tan();
     let (mut off, mut count) = (0, [0; 4]);
@@ -187,9 +221,9 @@ fn cylinders_and_disks_are_where_they_are() {
         let all = scene.objects.iter().enumerate();
         let all = all.flat_map(|(k, object)| crossings(object, camera.position, v).into_iter().map(move |t| (t, k)));
         let nearest = all.filter(|(t, _)| *t > 0.0).min_by(|a, b| a.0.total_cmp(&b.0));
-        let expected = nearest.map_or(0, |(_, k)| k as u32 + 1);
-        off += u32::from(*seen != expected);
-        count[expected as usize] += 1;
+        let expected = nearest.map_or(-1.0, |(_, k)| k as f32);
+        off += u32::from(seen.to_bits() != f32::to_bits(expected));
+        count[(expected + 1.0) as usize] += 1;
     }
     println!("{off} pixels differ, of {count:?}");
     assert!(count.iter().all(|n| *n > 300), "{count:?}");

@@ -11,13 +11,13 @@ use crate::support::{gpu, scene};
 
 /// With the places and the shifts of what is seen.
 pub fn rendered(scene: &Scene) -> Rendering {
-    let choice = Choice { layers: vec![Layer::Position, Layer::Shift], ..Choice::default() };
+    let choice = Choice { layers: vec![Layer::Position, Layer::Redshift], ..Choice::default() };
     let settings = RenderSettings { choice, ..RenderSettings::default() };
     Renderer::new(&gpu(), scene, settings).unwrap().picture().unwrap()
 }
 
 pub fn shifts(picture: &Rendering) -> &[f32] {
-    match picture.band.layer(Layer::Shift) {
+    match picture.band.layer(Layer::Redshift) {
         Some(Plane::Scalar(values)) => values,
         _ => panic!("no layer of shifts"),
     }
@@ -106,7 +106,7 @@ fn light_shifts_in_time_as_series_say() {
             let seen: Vec<f32> = schedules
                 .iter()
                 .map(|&schedule| {
-                    let choice = Choice { schedule, layers: vec![Layer::Shift], ..Choice::default() };
+                    let choice = Choice { schedule, layers: vec![Layer::Redshift], ..Choice::default() };
                     let settings = RenderSettings { choice, ..RenderSettings::default() };
                     shifts(&Renderer::new(&gpu(), &scene, settings).unwrap().picture().unwrap())[0]
                 })

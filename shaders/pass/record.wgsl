@@ -4,7 +4,7 @@ struct Record {
     x: Real3,
     tau: Real,
     v: Real3,
-    depth: Real,
+    segments: Real,
     status: u32,
     steps: u32,
     rejected: u32,
@@ -25,10 +25,10 @@ fn record(own: Invocation) {
         load_region(pixel);
         let ray = load_ended(pixel);
         let seen = recorded_at(ray, load_hit(pixel));
-        let depth = Real(ray.index) + seen.end.fraction;
+        let segments = Real(ray.index) + seen.end.fraction;
         let i = place_in_tile(pixel);
         records[i] = Record(
-            seen.end.x, seen.end.tau, seen.end.v, depth, ray.status, ray.steps, ray.rejected, seen.object,
+            seen.end.x, seen.end.tau, seen.end.v, segments, ray.status, ray.steps, ray.rejected, seen.object,
             ray.phase[0].xyz, ray.phase[1].xyz,
         );
         tally_status(ray.status);

@@ -9,6 +9,11 @@ fn terminate(own: Invocation) {
     if FILTERS {
         filter_passed(spot, lives);
     }
+    if KEEPS_LENGTH {
+        if lives {
+            add_segment_length(spot.pixel);
+        }
+    }
     if spot.alive {
         let next = status_word(ALIVE, dispatch.end, spot.index + 1u);
         store_status(spot.pixel, select(status_word(code, dispatch.start, spot.index), next, lives));

@@ -74,6 +74,9 @@ fn met_surface_leg(ray: Ray, met: ptr<function, Hit>, end: PathPoint, pixel: vec
     if IN_PIECES {
         leave_aside(surface, end, &leg);
     }
+    if KEEPS_LENGTH {
+        add_length(pixel, ray.phase, end.x, end.v);
+    }
     var x = leg.x;
     if HAS_THROAT {
         pass_throat(material.kind, &x);

@@ -1,17 +1,24 @@
 // Writes the layers of a ray's end, besides its color: for the first sample of a pixel, because positions and ids have no average.
 
 var<storage, read_write> pixel_layer_depth: array<f32>;
+var<storage, read_write> pixel_layer_segments: array<f32>;
 var<storage, read_write> pixel_layer_normal: array<vec3f>;
-var<storage, read_write> pixel_layer_object: array<u32>;
+var<storage, read_write> pixel_layer_object: array<f32>;
 var<storage, read_write> pixel_layer_position: array<vec3f>;
-var<storage, read_write> pixel_layer_shift: array<f32>;
+var<storage, read_write> pixel_layer_redshift: array<f32>;
 var<storage, read_write> pixel_layer_status: array<u32>;
 var<storage, read_write> pixel_layer_steps: array<u32>;
 var<storage, read_write> pixel_layer_way: array<vec3f>;
 
 // The end of the ray along its path, in segments: whole segments and a fraction (W04 §3.3's depth).
+fn keep_segments(pixel: vec2u, ray: Ray, seen: Seen) {
+    pixel_layer_segments[place_in_tile(pixel)] = f32(ray.index) + f32(seen.end.fraction);
+}
+
+// The length of the path from the camera to the surface, in scene units; NO_DEPTH if the ray hit nothing.
 fn keep_depth(pixel: vec2u, ray: Ray, seen: Seen) {
-    pixel_layer_depth[place_in_tile(pixel)] = f32(ray.index) + f32(seen.end.fraction);
+    let way = pixel_path_length[place_in_tile(pixel)] + arc_length(ray.phase, seen.end.x, seen.end.v);
+    pixel_layer_depth[place_in_tile(pixel)] = select(NO_DEPTH, way, seen.object > 0u && way < NO_DEPTH);
 }
 
 // The surface normal, towards the viewer; 0 if nothing was hit.
@@ -19,9 +26,9 @@ fn keep_normal(pixel: vec2u, ray: Ray, seen: Seen) {
     pixel_layer_normal[place_in_tile(pixel)] = seen.normal;
 }
 
-// The object that was hit: its index in the scene file, from 1; 0 for none.
+// The index of the object that was hit; -1 for none.
 fn keep_object(pixel: vec2u, ray: Ray, seen: Seen) {
-    pixel_layer_object[place_in_tile(pixel)] = seen.object;
+    pixel_layer_object[place_in_tile(pixel)] = f32(seen.object) - 1.0;
 }
 
 // The position where the ray ended; 0 if there is none.
@@ -30,8 +37,8 @@ fn keep_position(pixel: vec2u, ray: Ray, seen: Seen) {
 }
 
 // The redshift factor: the frequency of light at the camera divided by its frequency at the source; 0 if nothing was seen.
-fn keep_shift(pixel: vec2u, ray: Ray, seen: Seen) {
-    pixel_layer_shift[place_in_tile(pixel)] = f32(seen_shift);
+fn keep_redshift(pixel: vec2u, ray: Ray, seen: Seen) {
+    pixel_layer_redshift[place_in_tile(pixel)] = f32(seen_shift);
 }
 
 // The status code with which the ray ended.

@@ -5,6 +5,9 @@ fn path_start(pixel: vec2u) -> Ray {
     if DRAWS_WAVELENGTH {
         draw_wavelength(pixel);
     }
+    if KEEPS_LENGTH {
+        begin_length(pixel);
+    }
     let start = arrived(picture_ray(sampled_pixel(pixel)));
     start_region(start.x, start.d, pixel);
     let phase = opaque_phase(law_start(start.x, start.d));

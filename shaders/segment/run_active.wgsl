@@ -30,6 +30,9 @@ fn follow_segments(spot: ActiveRay, ray: ptr<function, Ray>, end: ptr<function, 
             if FILTERS {
                 filter_step(*ray, next);
             }
+            if KEEPS_LENGTH {
+                add_length(spot.pixel, (*ray).phase, next.phase[0].xyz, next.phase[1].xyz);
+            }
             *segments += 1u;
             next.index += 1u;
             *ray = next;
@@ -53,6 +56,9 @@ fn follow_segments(spot: ActiveRay, ray: ptr<function, Ray>, end: ptr<function, 
         if code == ALIVE {
             if FILTERS {
                 filter_step(*ray, next);
+            }
+            if KEEPS_LENGTH {
+                add_length(spot.pixel, (*ray).phase, next.phase[0].xyz, next.phase[1].xyz);
             }
             next.index += 1u;
             *ray = next;

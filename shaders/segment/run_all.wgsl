@@ -29,6 +29,9 @@ fn follow_segments(spot: ActiveRay, ray: ptr<function, Ray>, end: ptr<function, 
                 if FILTERS {
                     filter_step(*ray, next);
                 }
+                if KEEPS_LENGTH {
+                    add_length(spot.pixel, (*ray).phase, next.phase[0].xyz, next.phase[1].xyz);
+                }
                 *ray = next;
             } else {
                 if KEEPS_LAST {

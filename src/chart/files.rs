@@ -14,7 +14,7 @@ struct Line<'a>(&'static str, &'a Point);
 impl Row for Line<'_> {
     const HEADER: &'static str = "method,setting,ns_per_ray,spread,evaluations,steps,rejected,compared,unresolved,wrong,\
                                   flagged,seen_p95,seen_p99,angle_median,angle_p95,angle_p99,angle_max,position_median,\
-                                  position_p95,position_p99,position_max,depth_p95,drift_p95,image_rms";
+                                  position_p95,position_p99,position_max,tau_p95,drift_p95,image_rms";
 
     fn line(&self) -> String {
         let Self(name, point) = self;
@@ -40,7 +40,7 @@ impl Row for Line<'_> {
             found.position.p95,
             found.position.p99,
             found.position.max,
-            found.depth.p95,
+            found.tau.p95,
             point.drifts.iter().map(|(_, drift)| *drift).reduce(f64::max).unwrap_or(f64::NAN),
             point.image,
         ];

@@ -160,7 +160,7 @@ impl Sweep<'_> {
             let (rays, _) = few.follow(starts)?;
             let steps = mean(&rays, |ray| ray.steps);
             let rejected = mean(&rays, |ray| ray.rejected);
-            let longest = rays.iter().map(|ray| ray.depth).fold(0.0, f64::max);
+            let longest = rays.iter().map(|ray| ray.segments).fold(0.0, f64::max);
             // The number of passes follows the longest path, because empty passes also take time.
             all.retune(control, SEGMENTS.min(2 * longest as u32 + 8))?;
             let expected =

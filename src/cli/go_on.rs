@@ -20,7 +20,7 @@ use crate::scene::{SamplePattern, Scene};
 const MAY_DIFFER: [&str; 1] = [SAMPLES];
 
 /// The layers from which an image is continued.
-pub(super) const SUMS: [Layer; 2] = [Layer::Sums, Layer::Spread];
+pub(super) const SUMS: [Layer; 2] = [Layer::Accumulated, Layer::LuminanceM2];
 
 /// Returns `true` if an image of this scene can be continued, provided that its file keeps the sums.
 pub(super) fn is_continuable(scene: &Scene) -> bool {
@@ -47,8 +47,8 @@ pub(super) struct Before {
 impl Before {
     /// Reads an image that keeps its sums.
     pub(super) fn read(path: &Path) -> Result<Self, Error> {
-        let problem = "it keeps no sums to continue from: EXRs of pictures with lighting = \"path-tracing\" do, in the layers `sums` \
-                       and `spread`";
+        let problem = "it keeps no sums to continue from: EXRs of pictures with lighting = \"path-tracing\" do, in the layers \
+                       `accumulated` and `luminance_m2`";
         let none = || OutputError::Part { path: path.to_owned(), problem: problem.to_owned() };
         let (settings, band) = picture(path)?;
         let has_sums = SUMS.iter().all(|layer| settings.layers.contains(layer));

@@ -176,25 +176,25 @@ impl Arguments {
             (Some(frame), None) => film.load(Some(&|_| frame.into()))?,
         };
         let asked = |layer| self.layers.as_ref().is_some_and(|layers| layers.contains(&Some(layer)));
-        if asked(Layer::Error) && scene.rays.paths.is_none() && scene.image.adaptive.is_none() {
+        if asked(Layer::StandardError) && scene.rays.paths.is_none() && scene.image.adaptive.is_none() {
             return Err(usage!(
-                "the layer `error` is of pictures that take random samples: with lighting = \"path-tracing\" or image.adaptive"
+                "the layer `standard_error` is of pictures that take random samples: with lighting = \"path-tracing\" or image.adaptive"
             ));
         }
         if SUMS.into_iter().any(asked) && !is_continuable(&scene) {
             return Err(usage!(
-                "the layers `sums` and `spread` are of pictures with lighting = \"path-tracing\" and without image.adaptive"
+                "the layers `accumulated` and `luminance_m2` are of pictures with lighting = \"path-tracing\" and without image.adaptive"
             ));
         }
-        if asked(Layer::Shift) && !scene.has_frequencies() {
+        if asked(Layer::Redshift) && !scene.has_frequencies() {
             return Err(usage!(
-                "the layer `shift` is of pictures without paths that an observer sees: with camera.observer, and a law of \
+                "the layer `redshift` is of pictures without paths that an observer sees: with camera.observer, and a law of \
                            spacetime without t"
             ));
         }
-        if asked(Layer::Orders) && !scene.has_orders() {
+        if asked(Layer::ImageOrder) && !scene.has_orders() {
             return Err(usage!(
-                "the layer `orders` is of surfaces with `opacity` below 1, without clear objects, fans, image.adaptive and \
+                "the layer `image_order` is of surfaces with `opacity` below 1, without clear objects, fans, image.adaptive and \
                            random rays.max_splits"
             ));
         }

@@ -64,7 +64,7 @@ pub struct Deviations {
     /// The errors of the final position, in scene units.
     pub position: Quantiles,
     /// The errors of the final τ.
-    pub depth: Quantiles,
+    pub tau: Quantiles,
     /// The errors of the visible result: the direction to the sky, or a surface position divided by the distance to it; infinite for a
     /// wrong end.
     pub seen: Quantiles,
@@ -97,7 +97,7 @@ impl Deviations {
             flagged: wrong.clone().filter(|(ray, _)| lost(ray)).count(),
             angle: over(&Traced::angle_to),
             position: over(&Traced::distance_to),
-            depth: over(&|ray, truth| (ray.tau - truth.tau).abs()),
+            tau: over(&|ray, truth| (ray.tau - truth.tau).abs()),
             seen: Quantiles::of(
                 whole
                     .iter()
@@ -137,7 +137,7 @@ mod tests {
     }
 
     fn ray(status: Status, v: [f64; 3]) -> Traced {
-        Traced { status, x: [1.0, 0.0, 0.0], v, tau: 2.0, depth: 0.0, steps: 1, rejected: 0, object: None }
+        Traced { status, x: [1.0, 0.0, 0.0], v, tau: 2.0, segments: 0.0, steps: 1, rejected: 0, object: None }
     }
 
     #[test]

@@ -19,7 +19,7 @@ pub fn compared_layers(layers: &[Layer]) -> Vec<Layer> {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct End {
     status: Status,
-    object: u32,
+    object: f32,
     place: DVec3,
     /// The direction, with the distance to the end as its length.
     way: DVec3,
@@ -27,7 +27,7 @@ pub(super) struct End {
 
 /// Returns the ends of an image's rays, without pixels that have no rays.
 pub(super) fn ends(rendering: &Rendering) -> Vec<End> {
-    let [Some(Plane::Vector(place)), Some(Plane::Id(object)), Some(Plane::Id(status)), Some(Plane::Vector(way))] =
+    let [Some(Plane::Vector(place)), Some(Plane::Scalar(object)), Some(Plane::Id(status)), Some(Plane::Vector(way))] =
         LAYERS.map(|layer| rendering.band.layer(layer))
     else {
         return Vec::new();
@@ -136,18 +136,18 @@ impl Finest {
 mod tests {
     use super::*;
 
-    fn end(status: Status, object: u32, place: [f64; 3], way: [f64; 3]) -> End {
+    fn end(status: Status, object: f32, place: [f64; 3], way: [f64; 3]) -> End {
         End { status, object, place: place.into(), way: way.into() }
     }
 
     #[test]
     fn ends_are_compared_by_what_is_seen() {
-        let hit = end(Status::Hit, 1, [0.0, 0.0, 4.0], [0.0, 0.0, 4.0]);
-        let near = end(Status::Hit, 1, [0.04, 0.0, 4.0], [0.0, 0.0, 4.1]);
+        let hit = end(Status::Hit, 1.0, [0.0, 0.0, 4.0], [0.0, 0.0, 4.0]);
+        let near = end(Status::Hit, 1.0, [0.04, 0.0, 4.0], [0.0, 0.0, 4.1]);
         assert!((near.seen(&hit) - 0.01).abs() < 1e-12);
-        assert!(end(Status::Hit, 2, [0.0; 3], [1.0; 3]).seen(&hit).is_infinite());
-        assert!(end(Status::Captured, 0, [0.0; 3], [1.0; 3]).seen(&hit).is_infinite());
-        let away = end(Status::Escaped, 0, [1.0; 3], [0.0, 0.0, 9.0]);
-        assert!((end(Status::Escaped, 0, [5.0; 3], [0.0, 1e-6, 1.0]).seen(&away) - 1e-6).abs() < 1e-12);
+        assert!(end(Status::Hit, 2.0, [0.0; 3], [1.0; 3]).seen(&hit).is_infinite());
+        assert!(end(Status::Captured, 0.0, [0.0; 3], [1.0; 3]).seen(&hit).is_infinite());
+        let away = end(Status::Escaped, 0.0, [1.0; 3], [0.0, 0.0, 9.0]);
+        assert!((end(Status::Escaped, 0.0, [5.0; 3], [0.0, 1e-6, 1.0]).seen(&away) - 1e-6).abs() < 1e-12);
     }
 }

@@ -48,7 +48,7 @@ impl Verification {
             ("tolerance of the truth", format!("{:.0e}", self.tolerance)),
             ("angle error (rad)", quantiles(&found.angle)),
             ("position error", quantiles(&found.position)),
-            ("depth error (tau)", quantiles(&found.depth)),
+            ("tau error", quantiles(&found.tau)),
             ("wrong ends", found.wrong.to_string()),
             ("unresolved", found.unresolved.to_string()),
         ];
@@ -72,7 +72,7 @@ impl fmt::Display for Verification {
             found.rays, self.tolerance, found.wrong, found.flagged, found.unresolved
         )?;
         writeln!(f, "{:<22}{:>12}{:>12}{:>12}", "error", "median", "99 %", "max")?;
-        let rows = [("angle (rad)", &found.angle), ("position", &found.position), ("depth (τ)", &found.depth)];
+        let rows = [("angle (rad)", &found.angle), ("position", &found.position), ("τ", &found.tau)];
         for (i, (name, q)) in rows.into_iter().enumerate() {
             let end = if i == 2 { "" } else { "\n" };
             write!(f, "{name:<22}{q}{end}")?;

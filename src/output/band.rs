@@ -11,17 +11,18 @@ use crate::render::{Band, Plane};
 pub const fn channels(layer: Layer) -> &'static [&'static str] {
     match layer {
         Layer::Depth => &["Z"],
+        Layer::Segments => &["segments"],
         Layer::Position => &["position.X", "position.Y", "position.Z"],
         Layer::Normal => &["normal.X", "normal.Y", "normal.Z"],
         Layer::Object => &["id.object"],
         Layer::Status => &["id.status"],
         Layer::Steps => &["steps"],
-        Layer::Shift => &["shift"],
+        Layer::Redshift => &["redshift"],
         Layer::Samples => &["samples"],
-        Layer::Error => &["error"],
-        Layer::Sums => &["sums.R", "sums.G", "sums.B"],
-        Layer::Spread => &["spread"],
-        Layer::Orders => &["orders.0", "orders.1", "orders.2"],
+        Layer::StandardError => &["standard_error"],
+        Layer::Accumulated => &["accumulated.R", "accumulated.G", "accumulated.B"],
+        Layer::LuminanceM2 => &["luminance_m2"],
+        Layer::ImageOrder => &["image_order.0", "image_order.1", "image_order.2"],
         Layer::Way => &["way.X", "way.Y", "way.Z"],
     }
 }

@@ -173,13 +173,13 @@ pub trait Row {
 
 /// A ray by its index in the input, with its end; without an object the last field is empty.
 impl Row for (usize, &Traced) {
-    const HEADER: &'static str = "ray,status,x,y,z,vx,vy,vz,tau,depth,steps,rejected,object";
+    const HEADER: &'static str = "ray,status,x,y,z,vx,vy,vz,tau,segments,steps,rejected,object";
 
     fn line(&self) -> String {
-        let (ray, Traced { status, x, v, tau, depth, steps, rejected, object }) = self;
-        let [x, v, tau, depth] = [numbers(*x), numbers(*v), number(*tau), number(*depth)];
+        let (ray, Traced { status, x, v, tau, segments, steps, rejected, object }) = self;
+        let [x, v, tau, segments] = [numbers(*x), numbers(*v), number(*tau), number(*segments)];
         let object = object.map(|object| object.to_string()).unwrap_or_default();
-        format!("{ray},{},{x},{v},{tau},{depth},{steps},{rejected},{object}", status.name())
+        format!("{ray},{},{x},{v},{tau},{segments},{steps},{rejected},{object}", status.name())
     }
 }
 

@@ -3,30 +3,32 @@
 /// A quantity that an image stores besides color.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Layer {
-    /// The number of segments along the path, including a fraction.
+    /// The length of the path from the camera to the surface, in scene units.
     Depth,
+    /// The number of segments along the path, including a fraction.
+    Segments,
     /// The position at which the ray ended.
     Position,
     /// The normal of the surface.
     Normal,
-    /// The object that was hit, from 1; 0 for none.
+    /// The index of the object that was hit; −1 for none.
     Object,
     /// The termination status of the ray.
     Status,
     /// The number of integration steps.
     Steps,
     /// The redshift factor g: the observed frequency divided by the emitted frequency.
-    Shift,
+    Redshift,
     /// The number of rays that the pixel took.
     Samples,
     /// The standard error of the pixel's mean luminance.
-    Error,
+    StandardError,
     /// The sums of the pixel's samples: red, green and blue.
-    Sums,
+    Accumulated,
     /// The sum of the squared deviations of the samples' luminance from its mean.
-    Spread,
+    LuminanceM2,
     /// The luminance of the light from the ray's first, second and third crossing of a translucent surface.
-    Orders,
+    ImageOrder,
     /// The direction of the ray at its end, with the path length as its
     /// magnitude; used by measurements on images, and not written to files.
     Way,
@@ -48,32 +50,35 @@ impl Layer {
     #[must_use]
     pub fn kind(self) -> LayerKind {
         match self {
-            Self::Depth | Self::Error | Self::Shift | Self::Spread => LayerKind::Scalar,
-            Self::Position | Self::Normal | Self::Way | Self::Sums | Self::Orders => LayerKind::Vector,
-            Self::Object | Self::Status | Self::Steps | Self::Samples => LayerKind::Id,
+            Self::Depth | Self::Segments | Self::Object | Self::StandardError | Self::Redshift | Self::LuminanceM2 => {
+                LayerKind::Scalar
+            }
+            Self::Position | Self::Normal | Self::Way | Self::Accumulated | Self::ImageOrder => LayerKind::Vector,
+            Self::Status | Self::Steps | Self::Samples => LayerKind::Id,
         }
     }
 
     /// Every layer that files can store.
-    pub const ALL: [Self; 12] = [
+    pub const ALL: [Self; 13] = [
         Self::Depth,
+        Self::Segments,
         Self::Position,
         Self::Normal,
         Self::Object,
         Self::Status,
         Self::Steps,
-        Self::Shift,
+        Self::Redshift,
         Self::Samples,
-        Self::Error,
-        Self::Sums,
-        Self::Spread,
-        Self::Orders,
+        Self::StandardError,
+        Self::Accumulated,
+        Self::LuminanceM2,
+        Self::ImageOrder,
     ];
 
     /// Returns `true` if the layer describes a pixel's first ray, stored when it is shaded. Other layers describe all rays of a pixel.
     #[must_use]
     pub fn is_of_a_ray(self) -> bool {
-        !matches!(self, Self::Samples | Self::Error | Self::Sums | Self::Spread | Self::Orders)
+        !matches!(self, Self::Samples | Self::StandardError | Self::Accumulated | Self::LuminanceM2 | Self::ImageOrder)
     }
 
     /// Returns the name. For the layer of a ray, `keep_NAME` is the function
@@ -82,17 +87,18 @@ impl Layer {
     pub fn name(self) -> &'static str {
         match self {
             Self::Depth => "depth",
+            Self::Segments => "segments",
             Self::Position => "position",
             Self::Normal => "normal",
             Self::Object => "object",
             Self::Status => "status",
             Self::Steps => "steps",
-            Self::Shift => "shift",
+            Self::Redshift => "redshift",
             Self::Samples => "samples",
-            Self::Error => "error",
-            Self::Sums => "sums",
-            Self::Spread => "spread",
-            Self::Orders => "orders",
+            Self::StandardError => "standard_error",
+            Self::Accumulated => "accumulated",
+            Self::LuminanceM2 => "luminance_m2",
+            Self::ImageOrder => "image_order",
             Self::Way => "way",
         }
     }
@@ -101,21 +107,24 @@ impl Layer {
     #[must_use]
     pub fn meaning(self) -> &'static str {
         match self {
-            Self::Depth => "Segments along the path, whole ones and a fraction",
-            Self::Position => "Where the ray ended",
-            Self::Normal => "The surface's normal",
-            Self::Object => "The object, from 1; 0 for none",
-            Self::Status => "How the ray ended",
+            Self::Depth => "Length of the path from the camera to the surface, in scene units; 1e10 if it hit nothing",
+            Self::Segments => "Segments along the path, including a fraction",
+            Self::Position => "Position at which the ray ended",
+            Self::Normal => "Surface normal",
+            Self::Object => "Index of the object that was hit, as in `objects[7]`; -1 for none",
+            Self::Status => "Termination status of the ray",
             Self::Steps => "Integration steps",
-            Self::Shift => "The frequency of the light that a ray saw, over that at its source",
-            Self::Samples => "Rays that the pixel took",
-            Self::Error => "The standard error of the pixel's mean luminance, with paths or adaptive sampling",
-            Self::Sums => "The sums of the samples of a picture of paths, which it is continued from",
-            Self::Spread => "How far its samples are apart, for the same",
-            Self::Orders => {
-                "The luminance of light from a ray's first, second and third crossing of a translucent surface"
+            Self::Redshift => "Redshift factor g: observed frequency divided by emitted frequency",
+            Self::Samples => "Rays traced for the pixel",
+            Self::StandardError => {
+                "Standard error of the pixel's mean luminance, with path tracing or adaptive sampling"
             }
-            Self::Way => "Where the ray was going at its end",
+            Self::Accumulated => "Sums of the samples of a path-traced image, from which --continue resumes",
+            Self::LuminanceM2 => "Sum of the squared deviations of the samples' luminance from its mean, likewise",
+            Self::ImageOrder => {
+                "Luminance of the light from the first, second and third crossing of a translucent surface"
+            }
+            Self::Way => "Direction of the ray at its end",
         }
     }
 }

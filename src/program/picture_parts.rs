@@ -5,6 +5,7 @@ use super::skies::two_skies;
 use super::{Features, ProgramError, generated};
 use crate::model::Pattern;
 use crate::model::material::Facts;
+use crate::program::Layer;
 use crate::scene::{SamplePattern, Scene, Shadows};
 
 pub(super) fn camera_parts(scene: &Scene, features: &Features, names: &mut Names) {
@@ -50,6 +51,7 @@ pub(super) fn picture_parts(scene: &Scene, features: &Features, names: &mut Name
     }
     shift_parts(scene, features, names);
     names.when(features.keeps_orders, &["picture/orders_kept"]);
+    names.when(features.layers.contains(&Layer::Depth), &["picture/path_length"]);
     let layers = features.layers.iter().filter(|layer| layer.is_of_a_ray()).map(|layer| layer.name());
     names.make(generated::layers(&layers.collect::<Vec<_>>()));
     Ok(())

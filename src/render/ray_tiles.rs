@@ -26,7 +26,7 @@ pub(super) fn is_swallowed(law: &Facts, ray: &[f64; 6]) -> bool {
 /// Returns the end of a ray that is captured at its start.
 pub(super) fn captured_at(ray: &[f64; 6]) -> Traced {
     let [x, v] = [0, 3].map(|k| [ray[k], ray[k + 1], ray[k + 2]]);
-    Traced { status: Status::Captured, x, v, tau: 0.0, depth: 0.0, steps: 0, rejected: 0, object: None }
+    Traced { status: Status::Captured, x, v, tau: 0.0, segments: 0.0, steps: 0, rejected: 0, object: None }
 }
 
 /// Creates a tile with one pixel per ray.
@@ -90,7 +90,7 @@ pub(super) fn read_records(prepared: &Prepared, tile: &Tile, count: usize) -> Re
         x: row.vector("x"),
         v: row.vector("v"),
         tau: row.float("tau"),
-        depth: row.float("depth"),
+        segments: row.float("segments"),
         steps: row.uint("steps"),
         rejected: row.uint("rejected"),
         object: row.uint("object").checked_sub(1),

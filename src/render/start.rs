@@ -35,7 +35,7 @@ impl Default for StartUp {
 
 impl StartUp {
     /// The names of the parts, in order.
-    pub const PARTS: [&'static str; 5] = ["scene", "device", "program", "method", "first picture"];
+    pub const PARTS: [&'static str; 5] = ["scene", "device", "program", "method", "first image"];
 
     /// Adds the time since the last call to this part.
     pub fn count(&mut self, part: StartPart) {
@@ -82,8 +82,8 @@ mod tests {
         assert!(launch.is_complete());
         launch.took = [Duration::from_millis(250); StartUp::PARTS.len()];
         let said =
-            "first pixel after 1.250 s: scene 0.250, device 0.250, program 0.250, method 0.250, first picture 0.250";
+            "first pixel after 1.250 s: scene 0.250, device 0.250, program 0.250, method 0.250, first image 0.250";
         assert_eq!(launch.to_string(), said);
-        assert_eq!(launch.parts().last(), Some(("first picture", Duration::from_millis(250))));
+        assert_eq!(launch.parts().last(), Some(("first image", Duration::from_millis(250))));
     }
 }

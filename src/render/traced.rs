@@ -16,7 +16,7 @@ pub struct Traced {
     /// The path parameter τ.
     pub tau: f64,
     /// The number of segments, including a fraction of the last one.
-    pub depth: f64,
+    pub segments: f64,
     /// The number of accepted steps.
     pub steps: u32,
     /// The number of rejected steps.

@@ -90,13 +90,13 @@ impl Values<'_> {
         let number = |name: &str| Some(self.pixels.column::<1>(name)?.flatten().collect());
         let vector = |name: &str| Some(self.pixels.column::<3>(name)?.flatten().collect::<Vec<_>>());
         match (layer, &self.moments) {
-            (Layer::Error, _) => Some(errors?.iter().map(|error| error.to_bits()).collect()),
+            (Layer::StandardError, _) => Some(errors?.iter().map(|error| error.to_bits()).collect()),
             (Layer::Samples, Some(moments)) => Some(moments.iter().map(|moments| moments.rays).collect()),
             (Layer::Samples, None) => Some(vec![samples; self.size.map(|n| n as usize).iter().product()]),
-            (Layer::Sums, None) => vector("color"),
-            (Layer::Spread, None) => number("spread"),
-            (Layer::Sums | Layer::Spread, Some(_)) => None,
-            (Layer::Orders, _) => {
+            (Layer::Accumulated, None) => vector("color"),
+            (Layer::LuminanceM2, None) => number("spread"),
+            (Layer::Accumulated | Layer::LuminanceM2, Some(_)) => None,
+            (Layer::ImageOrder, _) => {
                 let weight = 1.0 / samples as f32;
                 let mean = |sum: u32| (f32::from_bits(sum) * weight).to_bits();
                 Some(vector("orders")?.into_iter().map(mean).collect())

@@ -67,7 +67,9 @@ impl<'r> Round<'r> {
 
     /// Returns the layers that are read after the round: the layers of the image, and before its end the sums for the next round.
     pub fn layers(&self, wanted: &[Layer]) -> Vec<Layer> {
-        let sums = [Layer::Sums, Layer::Spread].into_iter().filter(|layer| !self.is_last && !wanted.contains(layer));
+        let sums = [Layer::Accumulated, Layer::LuminanceM2]
+            .into_iter()
+            .filter(|layer| !self.is_last && !wanted.contains(layer));
         wanted.iter().copied().chain(sums).collect()
     }
 }
@@ -80,7 +82,7 @@ impl<'r> Round<'r> {
 pub struct Earlier {
     /// The number of samples of each pixel.
     pub samples: u32,
-    /// All rows of the window, with the layers [`Layer::Sums`] and [`Layer::Spread`].
+    /// All rows of the window, with the layers [`Layer::Accumulated`] and [`Layer::LuminanceM2`].
     pub band: Band,
 }
 
@@ -104,7 +106,7 @@ impl Earlier {
                 pixels.set((row * tile.size[0] + column) as usize, field, k, value(from));
             }
         };
-        if let Some(Plane::Vector(sums)) = band.layer(Layer::Sums) {
+        if let Some(Plane::Vector(sums)) = band.layer(Layer::Accumulated) {
             for (k, sums) in sums.iter().enumerate() {
                 put("color", k, &|at| sums[at]);
             }
@@ -115,7 +117,7 @@ impl Earlier {
         for counted in ["clamped_samples", "clamped_light"] {
             put(counted, 0, &|_| 0.0);
         }
-        if let Some(Plane::Scalar(spread)) = band.layer(Layer::Spread) {
+        if let Some(Plane::Scalar(spread)) = band.layer(Layer::LuminanceM2) {
             put("spread", 0, &|at| spread[at]);
         }
         tile.write(gpu, &Role::Pixels, 0, pixels.bytes());

@@ -87,7 +87,7 @@ fn a_start_is_measured_by_its_parts() {
     let [cold, warm] = rows.as_slice() else { panic!("{json}") };
     for row in [cold, warm] {
         let number = |name: &str| row[name].as_f64().unwrap();
-        let parts = ["scene", "device", "program", "method", "first picture"].map(number);
+        let parts = ["scene", "device", "program", "method", "first image"].map(number);
         assert!((parts.iter().sum::<f64>() - number("launch to first pixel (s)")).abs() < 0.01, "{row}");
         assert!(number("second picture (s)") > 0.0);
     }

@@ -52,10 +52,10 @@ fn a_render_has_the_numbers_of_its_words() {
     assert_eq!((&picture["files"], &picture["rendered"]), (&vec!["a.png", "a.exr"].into(), &true.into()));
     assert_eq!((&picture["size"], &picture["origin"]), (&vec![16, 12].into(), &vec![0, 0].into()));
     assert_eq!((&picture["rays"], &picture["samples"]), (&(16 * 12 * 4).into(), &4.into()));
-    assert_eq!((sum(&picture["ends"]), &picture["unfollowed"]), (16.0 * 12.0 * 4.0, &0.into()));
+    assert_eq!((sum(&picture["terminations"]), &picture["unresolved_rays"]), (16.0 * 12.0 * 4.0, &0.into()));
     let words = ran.line(" rays, ");
     assert!(words.starts_with(&format!("768 rays, {} steps, {} segments, ", picture["steps"], picture["segments"])));
-    for (end, count) in picture["ends"].as_object().unwrap() {
+    for (end, count) in picture["terminations"].as_object().unwrap() {
         assert_eq!(words.contains(&format!(" {end} {count}")), *count != 0, "{words}");
     }
     assert!(words.contains(&format!(", {:.3} s in all;", picture["seconds"].as_f64().unwrap())), "{words}");
@@ -63,7 +63,7 @@ fn a_render_has_the_numbers_of_its_words() {
     assert!(ran.line("first pixel").starts_with(&format!("first pixel after {:.3} s", sum(&picture["start_seconds"]))));
     assert_eq!(ran.line("to repeat it: "), format!("to repeat it: {}", picture["command"].as_str().unwrap()));
     assert!(!ran.err.contains("--json"), "{}", ran.err);
-    let followed = &picture["followed"];
+    let followed = &picture["integrator"];
     assert_eq!((&followed["method"], &followed["precision"]), (&"rk4".into(), &"f32".into()));
     assert!(followed["scaled_step"].as_f64().unwrap() > 0.0 && followed["max_segments"].is_u64(), "{followed}");
     // The files are what they are without it.
@@ -90,7 +90,7 @@ fn frames_have_a_line_each_and_so_has_their_film() {
         assert_eq!((&frame["frame"], &frame["files"]), (&i.into(), &vec![format!("{i}.png")].into()));
         assert!(frame["rays"].is_null() == (i < 2), "{frame}");
     }
-    assert_eq!(*film, serde_json::json!({ "film": "film.png", "frames": 3, "frames_per_second": 12.0 }));
+    assert_eq!(*film, serde_json::json!({ "video": "film.png", "frames": 3, "frames_per_second": 12.0 }));
 }
 
 #[test]
@@ -98,8 +98,8 @@ fn what_could_not_be_followed_is_counted_and_fails_as_ever() {
     let folder = Folder::with(BALL);
     let ran = folder.run(&format!("render scene.toml -o a.png {HOLE} --set rays.max_segments=2 --strict --json"));
     let picture = ran.object();
-    assert!(ran.code == Some(1) && picture["unfollowed"].as_u64().unwrap() > 0, "{}", ran.out);
-    assert_eq!(picture["unfollowed"], picture["ends"]["exhausted"]);
+    assert!(ran.code == Some(1) && picture["unresolved_rays"].as_u64().unwrap() > 0, "{}", ran.out);
+    assert_eq!(picture["unresolved_rays"], picture["terminations"]["exhausted"]);
     ran.line("used up rays.max_segments");
     folder.run("render nope.toml -o a.png --json").fails(1, &["cannot read `nope.toml`"]);
     folder.run("render scene.toml -o a.png --device none --json").fails(1, &["none"]);
@@ -112,7 +112,7 @@ fn an_error_that_is_measured_is_in_the_picture_alone() {
     let words = folder.run(&line).succeeds().out;
     let found = &folder.run(&format!("{line} --json")).succeeds().object()["verification"];
     assert!(words.starts_with(&format!("verified on {} rays against f64", found["rays"])), "{words}");
-    assert!(words.contains(&format!("{} ended wrongly", found["wrong_ends"])), "{words}");
+    assert!(words.contains(&format!("{} ended wrongly", found["wrong_terminations"])), "{words}");
     let number = |key: &str| found["angle_radians"][key].as_f64().unwrap();
     assert!(number("median") <= number("p99") && number("p99") <= number("max"), "{found}");
     assert!(words.contains(&format!("{:.2e}", number("max"))), "{words}");
@@ -128,7 +128,7 @@ fn scenes_are_checked_a_line_each_with_the_place_of_every_mistake() {
     let objects = ran.objects();
     let [right, typo, nope] = objects.as_slice() else { panic!("{}", ran.out) };
 
-    assert_eq!((&right["scene"], &right["mistakes"]), (&"scene.toml".into(), &Value::Array(Vec::new())));
+    assert_eq!((&right["scene"], &right["errors"]), (&"scene.toml".into(), &Value::Array(Vec::new())));
     assert_eq!((&right["frames"], &right["animated"]), (&3.into(), &vec!["sky.color"].into()));
     assert_eq!(sum(&right["bytes_per_pixel_of"]), right["bytes_per_pixel"].as_f64().unwrap());
     assert!(words.out.contains(&format!("  {} bytes per pixel: ", right["bytes_per_pixel"])), "{}", words.out);
@@ -139,7 +139,7 @@ fn scenes_are_checked_a_line_each_with_the_place_of_every_mistake() {
     }
 
     let text = folder.text("typo.toml");
-    let mistakes = typo["mistakes"].as_array().unwrap();
+    let mistakes = typo["errors"].as_array().unwrap();
     assert_eq!(words.err.matches("\n    help: ").count(), mistakes.len());
     for mistake in mistakes {
         let number = |key: &str| mistake[key].as_u64().unwrap() as usize;
@@ -151,7 +151,7 @@ fn scenes_are_checked_a_line_each_with_the_place_of_every_mistake() {
     }
     assert_eq!(mistakes.iter().map(|mistake| &mistake["excerpt"]).collect::<Vec<_>>(), ["skye", "\"rod\""]);
 
-    let unread = &nope["mistakes"][0];
+    let unread = &nope["errors"][0];
     assert_eq!((&unread["file"], &unread["line"]), (&"nope.toml".into(), &Value::Null));
     assert!(unread["problem"].as_str().unwrap().starts_with("cannot read `nope.toml`"), "{unread}");
     let reference = folder.run("check --reference --json").succeeds().object();
@@ -206,17 +206,17 @@ fn a_farm_says_what_to_run_and_which_parts_are_done() {
     let parts = serde_json::json!([
         { "part": 1, "state": "failed", "error": "error: no room" },
         { "part": 2, "state": "done", "error": null },
-        { "part": 3, "state": "under_way", "error": null },
+        { "part": 3, "state": "running", "error": null },
     ]);
     assert_eq!(status["parts"], parts);
-    assert_eq!(status["count"], serde_json::json!({ "done": 1, "failed": 1, "under_way": 1, "not_begun": 0 }));
+    assert_eq!(status["count"], serde_json::json!({ "done": 1, "failed": 1, "running": 1, "pending": 0 }));
     folder.run("render scene.toml -o {frame}.png --frames all").succeeds();
     let whole = folder.run(&format!("farm finish {job}")).succeeds().object();
-    assert_eq!((&whole["pictures"], &whole["files"]), (&3.into(), &vec!["0.png", "1.png", "2.png"].into()));
+    assert_eq!((&whole["images"], &whole["files"]), (&3.into(), &vec!["0.png", "1.png", "2.png"].into()));
 }
 
 /// Keys below which names are those of something else: keys of scenes, statuses, buffers, columns.
-const NAMES: [&str; 4] = ["followed", "ends", "bytes_per_pixel_of", "tables"];
+const NAMES: [&str; 4] = ["integrator", "terminations", "bytes_per_pixel_of", "tables"];
 
 /// All keys of a value, at any depth.
 fn keys(value: &Value, found: &mut BTreeSet<String>) {

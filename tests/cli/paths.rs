@@ -15,7 +15,7 @@ fn pictures_say_their_noise() {
     let checked = folder.run("check scene.toml --set path_tracing.light_sampling=false").succeeds();
     assert!(checked.out.contains("paths aim at nothing"), "{}", checked.out);
     folder
-        .run("render scene.toml -o out.exr --layers error,normal")
+        .run("render scene.toml -o out.exr --layers standard_error,normal")
         .succeeds()
         .says(&["noise ", "% of the picture's mean (median pixel "]);
     let bytes = std::fs::read(folder.path("out.exr")).unwrap();
@@ -31,7 +31,9 @@ fn pictures_say_their_noise() {
         .succeeds()
         .says(&["; 0 samples clamped, which took 0.00 %"]);
     folder.write("scene.toml", ROOM.replace("lighting = \"path-tracing\"\n", ""));
-    folder.run("render scene.toml -o out.exr --layers error").fails(1, &["the layer `error` is of pictures"]);
+    folder
+        .run("render scene.toml -o out.exr --layers standard_error")
+        .fails(1, &["the layer `standard_error` is of pictures"]);
 }
 
 #[test]
@@ -49,7 +51,8 @@ fn pictures_go_on_where_they_were() {
     // The file itself may be the one that is written, and layers may be left out.
     folder.run("render scene.toml -o part.exr -o part.png --samples 11 --continue part.exr").succeeds();
     assert!(std::fs::read(folder.path("part.exr")).unwrap() == long);
-    let few = folder.run("render scene.toml -o few.exr --layers normal,sums,spread --samples 5").succeeds();
+    let few =
+        folder.run("render scene.toml -o few.exr --layers normal,accumulated,luminance_m2 --samples 5").succeeds();
     few.says(&["noise"]);
     let go_on = |rest: &str| folder.run(&format!("render scene.toml -o more.exr {rest}"));
     go_on("--continue few.exr --layers normal").succeeds();
@@ -71,12 +74,12 @@ fn pictures_go_on_where_they_were() {
     }
     go_on("--crop 0,0,4x4 --continue few.exr").fails(1, &["few.exr: it shows the part 0,0,12x12"]);
     go_on("--set image.sampler=multi-jittered --continue few.exr").fails(1, &["known beforehand"]);
-    go_on("--layers error").succeeds();
+    go_on("--layers standard_error").succeeds();
     go_on("--continue more.exr").fails(1, &["more.exr: it keeps no sums"]);
     go_on("--samples 1").succeeds();
     go_on("--continue more.exr").fails(1, &["it has one sample a pixel"]);
     folder.write("scene.toml", ROOM.replace("lighting = \"path-tracing\"\n", ""));
-    go_on("--layers sums").fails(1, &["the layers `sums` and `spread` are of pictures"]);
+    go_on("--layers accumulated").fails(1, &["the layers `accumulated` and `luminance_m2` are of pictures"]);
 }
 
 #[test]

@@ -126,7 +126,7 @@ fn channels(folder: &Folder, name: &str) -> Vec<String> {
 fn exr_layers_are_those_that_were_named() {
     let folder = Folder::with(BALL);
     let cases: [(&str, &str); 4] = [
-        ("", "B G R Z id.object id.status normal.X normal.Y normal.Z position.X position.Y position.Z steps"),
+        ("", "B G R Z id.object id.status normal.X normal.Y normal.Z position.X position.Y position.Z segments steps"),
         ("--layers none", "B G R"),
         ("--layers depth,normal", "B G R Z normal.X normal.Y normal.Z"),
         ("--layers status --layers object", "B G R id.object id.status"),
@@ -202,23 +202,27 @@ fn exr_layers_hold_what_their_names_say() {
             FlatSamples::F16(_) => panic!("{name} is in 16 bits"),
         }
     };
-    let (object, status, steps, depth) = (samples("id.object"), samples("id.status"), samples("steps"), samples("Z"));
+    let [object, status, steps, segments, depth] = ["id.object", "id.status", "steps", "segments", "Z"].map(samples);
     let position = ["position.X", "position.Y", "position.Z"].map(samples);
     let normal = ["normal.X", "normal.Y", "normal.Z"].map(samples);
     let length = |vector: &[Vec<f64>; 3], i: usize| vector.iter().map(|v| v[i] * v[i]).sum::<f64>().sqrt();
-    let hits = object.iter().filter(|id| **id == 1.0).count();
+    let hits = object.iter().filter(|id| **id == 0.0).count();
     assert!(hits > 0 && totals.contains(&format!("; hit {hits} escaped {}", 192 - hits)), "{totals}");
     let middle = 6 * 16 + 8;
     for i in 0..object.len() {
-        let hit = object[i] == 1.0;
-        assert!(hit || object[i] == 0.0);
+        let hit = object[i] == 0.0;
+        assert!(hit || object[i] == -1.0);
         // The ball has radius 1, the bound 10.
         let (radius, normals) = if hit { (1.0, 1.0) } else { (10.0, 0.0) };
         assert!((length(&position, i) - radius).abs() < 1e-5, "{i}");
         assert!((length(&normal, i) - normals).abs() < 1e-5, "{i}");
         assert_eq!(hit, status[i] == status[middle], "{i}");
         assert_eq!(steps[i], 1.0, "{i}");
-        assert!(depth[i] > 0.0 && depth[i] <= 1.0, "{i}");
+        assert!(segments[i] > 0.0 && segments[i] <= 1.0, "{i}");
+        // Rays are straight, so that the depth is the distance from the camera.
+        let far = (0..3).map(|k| (position[k][i] - [0.0, 0.0, 5.0][k]).powi(2)).sum::<f64>().sqrt();
+        let expected = if hit { far } else { 1e10 };
+        assert!((depth[i] / expected - 1.0).abs() < 1e-6, "{i}: {} instead of {expected}", depth[i]);
     }
 }
 

@@ -1,7 +1,7 @@
 //! The CSV of `bentray trace`, both ways.
 
 /// Of results.
-pub const HEADER: &str = "ray,status,x,y,z,vx,vy,vz,tau,depth,steps,rejected,object";
+pub const HEADER: &str = "ray,status,x,y,z,vx,vy,vz,tau,segments,steps,rejected,object";
 /// Of paths.
 pub const PATH_HEADER: &str = "ray,index,x,y,z,vx,vy,vz,tau";
 

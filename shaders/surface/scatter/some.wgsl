@@ -35,6 +35,9 @@ fn scatter_ray(ray: Ray, met: ptr<function, Hit>, pixel: vec2u) -> Ray {
         enter_set(side);
         return next;
     }
+    if KEEPS_LENGTH {
+        add_length(pixel, ray.phase, end.x, end.v);
+    }
     var x = end.x;
     if HAS_THROAT {
         pass_throat(materials[surface.material].kind, &x);

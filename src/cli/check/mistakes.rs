@@ -48,7 +48,7 @@ impl Found for Wrong<'_> {
                 })]
             }
         };
-        json!({ "scene": shown(self.path), "mistakes": mistakes })
+        json!({ "scene": shown(self.path), "errors": mistakes })
     }
 }
 

@@ -63,24 +63,24 @@ impl Found for Modelled<'_> {
         let scene = &self.scene;
         json!({
             "scene": shown(self.path),
-            "mistakes": [],
+            "errors": [],
             "size": scene.image.size,
             "samples": scene.image.samples,
             "adaptive": scene.image.adaptive,
             "objects": scene.objects.len(),
-            "structure": structure(&self.geometry),
+            "acceleration": structure(&self.geometry),
             "passes": self.passes(),
             "commands": self.names_commands.then(|| self.commands()),
-            "followed": scene.rays.auto.is_none().then(|| followed(&scene.rays)),
+            "integrator": scene.rays.auto.is_none().then(|| followed(&scene.rays)),
             "bytes_per_pixel": self.memory.bytes_per_pixel(),
             "bytes_per_pixel_of": self.memory.items.iter().map(|(name, n)| (name.clone(), json!(n))).collect::<Value>(),
             "light_grids": self.light_grids().map(|grid| grid.json()).collect::<Vec<_>>(),
-            "swallowed_lights": scene.swallowed_lights(),
+            "captured_lights": scene.swallowed_lights(),
             "frames": scene.animation.as_ref().map(|animation| animation.frames),
             "frames_checked": self.frames_checked,
-            "moments": scene.moments(0).len(),
+            "shutter_samples": scene.moments(0).len(),
             "animated": scene.animation.as_ref().map_or(&[][..], |animation| &animation.keys),
-            "remarks": self.remark().into_iter().chain(scene.mesh_remarks()).chain(scene.unused_vertex_colors()).chain(self.halved_pictures()).chain(random_words(scene)).collect::<Vec<_>>(),
+            "notes": self.remark().into_iter().chain(scene.mesh_remarks()).chain(scene.unused_vertex_colors()).chain(self.halved_pictures()).chain(random_words(scene)).collect::<Vec<_>>(),
             "warnings": scene.warnings(),
         })
     }
@@ -128,7 +128,7 @@ impl Modelled<'_> {
                 "name": pass.entry(),
                 "lines": linked.source.lines().count(),
                 "bindings": reflection.bindings.len(),
-                "parts": linked.parts(),
+                "modules": linked.parts(),
             })
         });
         passes.collect()
@@ -265,10 +265,10 @@ fn structure_words(geometry: &Geometry) -> Option<String> {
 fn structure(geometry: &Geometry) -> Value {
     let Built { items, grid, .. } = &geometry.structure;
     json!({
-        "entries": items.len(),
+        "primitives": items.len(),
         "triangles": geometry.triangles.len(),
         "nodes": geometry.nodes().count(),
-        "places": geometry.instances.places().len(),
+        "instances": geometry.instances.places().len(),
         "cells": grid.as_ref().map(|grid| grid.count),
     })
 }

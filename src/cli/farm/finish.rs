@@ -58,7 +58,7 @@ impl Found for Whole {
     }
 
     fn json(&self) -> Value {
-        json!({ "pictures": self.count, "files": self.files.iter().map(shown).collect::<Vec<_>>() })
+        json!({ "images": self.count, "files": self.files.iter().map(shown).collect::<Vec<_>>() })
     }
 }
 

@@ -26,8 +26,8 @@ impl State {
         match self {
             Self::Done => "done",
             Self::Failed => "failed",
-            Self::UnderWay => "under_way",
-            Self::Missing => "not_begun",
+            Self::UnderWay => "running",
+            Self::Missing => "pending",
         }
     }
 

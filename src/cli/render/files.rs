@@ -125,11 +125,11 @@ impl Arguments {
             return Vec::new();
         }
         let usual = |layer: Layer| match layer {
-            Layer::Shift => scene.has_frequencies(),
-            Layer::Orders => scene.has_orders(),
+            Layer::Redshift => scene.has_frequencies(),
+            Layer::ImageOrder => scene.has_orders(),
             Layer::Samples => scene.image.adaptive.is_some(),
-            Layer::Error => scene.rays.paths.is_some(),
-            Layer::Sums | Layer::Spread => is_continuable(scene),
+            Layer::StandardError => scene.rays.paths.is_some(),
+            Layer::Accumulated | Layer::LuminanceM2 => is_continuable(scene),
             _ => before.is_none_or(|before| before.layers().contains(&layer)),
         };
         let keeps =

@@ -31,7 +31,7 @@ impl Found for Finished<'_> {
     }
 
     fn json(&self) -> Value {
-        json!({ "film": shown(self.path), "frames": self.frames, "frames_per_second": self.rate })
+        json!({ "video": shown(self.path), "frames": self.frames, "frames_per_second": self.rate })
     }
 }
 

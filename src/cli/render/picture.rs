@@ -91,7 +91,7 @@ fn scene(made: &Made) -> Value {
         "size": made.window.size,
         "origin": made.window.origin,
         "samples": made.scene.image.samples,
-        "followed": followed(&made.scene.rays),
+        "integrator": followed(&made.scene.rays),
     })
 }
 
@@ -110,11 +110,11 @@ fn counts(made: &Made) -> Value {
         "steps": totals.steps,
         "rejected_steps": totals.rejected,
         "segments": totals.segments,
-        "ends": ends.map(|status| (status.name(), totals.count(status))).collect::<Value>(),
-        "unfollowed": made.unfollowed(),
-        "unlit": totals.unlit,
-        "unfiltered": totals.unfiltered,
-        "overrun": totals.overrun,
+        "terminations": ends.map(|status| (status.name(), totals.count(status))).collect::<Value>(),
+        "unresolved_rays": made.unfollowed(),
+        "unlit_points": totals.unlit,
+        "absorption_unconverged": totals.unfiltered,
+        "overrun_segments": totals.overrun,
     })
 }
 
@@ -144,7 +144,7 @@ fn light(report: &LightReport) -> Value {
         "voxels": report.count,
         "refined_voxels": report.refined[0],
         "paths": report.totals.rays,
-        "unfollowed": report.unfollowed(),
+        "unresolved_paths": report.unfollowed(),
         "bytes": report.bytes,
         "seconds": seconds(report.wall),
     })
@@ -178,11 +178,11 @@ fn verification(verification: &Verification) -> Value {
     json!({
         "rays": found.rays,
         "unresolved": found.unresolved,
-        "wrong_ends": found.wrong,
+        "wrong_terminations": found.wrong,
         "flagged": found.flagged,
         "tolerance": verification.tolerance,
         "angle_radians": quantiles(&found.angle),
         "position": quantiles(&found.position),
-        "depth": quantiles(&found.depth),
+        "tau": quantiles(&found.tau),
     })
 }

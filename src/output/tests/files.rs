@@ -143,7 +143,7 @@ fn settings_are_checked_at_the_start() {
     refused("a.exr", &|s| s.size = [4, u32::MAX]);
     refused("a.png", &|s| s.bits = 12);
     refused("a.png", &|s| s.exposure = f64::NAN);
-    refused("a.png", &|s| s.layers = vec![Layer::Depth]);
+    refused("a.png", &|s| s.layers = vec![Layer::Segments]);
     refused("a.png", &|s| s.metadata = vec![(String::new(), "b".into())]);
     refused("a.exr", &|s| s.metadata = vec![("a".into(), "b\0".into())]);
     refused("a.exr", &|s| s.metadata = vec![("a".into(), "b".into()); 2]);

@@ -36,17 +36,17 @@ fn bands(width: u32, heights: &[u32]) -> Vec<Band> {
             alpha: Some(plane(11)),
             layers: vec![
                 (Layer::Steps, id(u32::MAX)),
-                (Layer::Depth, Plane::Scalar(plane(4))),
-                (Layer::Shift, Plane::Scalar(plane(18))),
+                (Layer::Segments, Plane::Scalar(plane(4))),
+                (Layer::Redshift, Plane::Scalar(plane(18))),
                 (Layer::Position, Plane::Vector([5, 6, 7].map(plane))),
                 (Layer::Normal, Plane::Vector([8, 9, 10].map(plane))),
                 (Layer::Object, id(1)),
                 (Layer::Status, id(3)),
                 (Layer::Samples, id(5)),
-                (Layer::Error, Plane::Scalar(plane(12))),
-                (Layer::Sums, Plane::Vector([13, 14, 15].map(plane))),
-                (Layer::Spread, Plane::Scalar(plane(16))),
-                (Layer::Orders, Plane::Vector([19, 20, 21].map(plane))),
+                (Layer::StandardError, Plane::Scalar(plane(12))),
+                (Layer::Accumulated, Plane::Vector([13, 14, 15].map(plane))),
+                (Layer::LuminanceM2, Plane::Scalar(plane(16))),
+                (Layer::ImageOrder, Plane::Vector([19, 20, 21].map(plane))),
             ],
         });
         first_row += rows;
@@ -136,7 +136,8 @@ fn exr_keeps_every_bit_however_the_bands_fall() {
 fn exr_carries_only_the_layers_asked_for() {
     let folder = folder();
     let path = folder.path().join("a.EXR");
-    let settings = FileSettings { layers: vec![Layer::Steps, Layer::Depth, Layer::Depth], ..FileSettings::new([5, 4]) };
+    let settings =
+        FileSettings { layers: vec![Layer::Steps, Layer::Segments, Layer::Segments], ..FileSettings::new([5, 4]) };
     write(&path, &settings, &bands(5, &[4]));
     let names: Vec<_> = exr_bits(&path).into_keys().collect();
     assert_eq!(names, ["B", "G", "R", "Z", "steps"]);
@@ -288,16 +289,16 @@ fn bands_must_come_whole_and_in_order() {
 #[test]
 fn exr_layers_must_be_there_and_of_their_kind() {
     let folder = folder();
-    let settings = FileSettings { layers: vec![Layer::Depth], ..FileSettings::new([4, 4]) };
+    let settings = FileSettings { layers: vec![Layer::Segments], ..FileSettings::new([4, 4]) };
     let mut writer = open(&folder.path().join("a.exr"), &settings).unwrap();
     let mut band = bands(4, &[4]).remove(0);
     band.layers.clear();
     assert!(writer.write_band(&band).is_err());
-    band.layers = vec![(Layer::Depth, Plane::Id(vec![0; 16]))];
+    band.layers = vec![(Layer::Segments, Plane::Id(vec![0; 16]))];
     assert!(writer.write_band(&band).is_err());
-    band.layers = vec![(Layer::Depth, Plane::Scalar(vec![0.0; 15]))];
+    band.layers = vec![(Layer::Segments, Plane::Scalar(vec![0.0; 15]))];
     assert!(writer.write_band(&band).is_err());
-    band.layers = vec![(Layer::Depth, Plane::Scalar(vec![0.0; 16]))];
+    band.layers = vec![(Layer::Segments, Plane::Scalar(vec![0.0; 16]))];
     writer.write_band(&band).unwrap();
     writer.finish().unwrap();
 }
@@ -330,7 +331,7 @@ fn files_say_what_they_were_written_with() {
     let window = Window { origin: [3, 5], size: [8, 6] };
     for (name, layers, alpha, bits) in [
         ("a.exr", vec![], true, 8),
-        ("b.exr", vec![Layer::Depth, Layer::Normal], false, 16),
+        ("b.exr", vec![Layer::Segments, Layer::Normal], false, 16),
         ("c.png", vec![], true, 8),
         ("d.png", vec![], false, 16),
     ] {

@@ -63,7 +63,7 @@ fn rows_are_written_to_the_last_bit() {
         x: [f64::from(0.1_f32 + 0.2_f32), 0.1 + 0.2, 1e30],
         v: [1.0, f64::from(1e-45_f32), f64::NAN],
         tau: 2.5,
-        depth: f64::INFINITY,
+        segments: f64::INFINITY,
         steps: 10,
         rejected: 1,
         object: Some(3),
@@ -72,7 +72,7 @@ fn rows_are_written_to_the_last_bit() {
     table.finish().unwrap();
     assert_eq!(
         fs::read_to_string(&path).unwrap(),
-        "ray,status,x,y,z,vx,vy,vz,tau,depth,steps,rejected,object\n\
+        "ray,status,x,y,z,vx,vy,vz,tau,segments,steps,rejected,object\n\
          7,hit,0.3,0.30000000000000004,1e30,1.0,1e-45,NaN,2.5,inf,10,1,3\n"
     );
 

@@ -2,7 +2,7 @@
 
 use super::Features;
 use crate::model::StereoLayout;
-use crate::program::{Masks, Purpose, Schedule, Unit};
+use crate::program::{Layer, Masks, Purpose, Schedule, Unit};
 
 /// Pairs each field with its name.
 macro_rules! named {
@@ -44,6 +44,7 @@ impl Features {
             ("has_three_slots", self.slots == 3),
             ("resumes", self.suspends && self.schedule != Schedule::Whole),
             ("keeps_counts", self.keeps_counts()),
+            ("keeps_length", self.layers.contains(&Layer::Depth)),
             ("side_by_side", self.views == Some(StereoLayout::SideBySide)),
             ("top_bottom", self.views == Some(StereoLayout::TopBottom)),
         ];

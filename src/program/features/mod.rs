@@ -203,7 +203,7 @@ impl Features {
         let camera = scene.camera.as_ref();
         let grids = || scene.lights.iter().filter(|light| light.shadows == Shadows::Grid);
         let beams = is_picture && camera.is_some_and(|camera| camera.shift);
-        let knows_shift = beams || is_picture && layers.contains(&Layer::Shift) && scene.has_frequencies();
+        let knows_shift = beams || is_picture && layers.contains(&Layer::Redshift) && scene.has_frequencies();
         let follows_paths = is_picture && scene.rays.paths.is_some();
         let joins_whole = regions.kinds.iter().all(|kind| joins_whole(scene, kind));
         let ends_with_steps = ends_with_steps(scene);
@@ -294,7 +294,7 @@ impl Features {
             shifts_hues: beams && camera.is_some_and(|camera| camera.hues),
             knows_shift,
             follows_shift: knows_shift && facts.changes_with_time,
-            keeps_orders: is_picture && layers.contains(&Layer::Orders) && scene.has_orders(),
+            keeps_orders: is_picture && layers.contains(&Layer::ImageOrder) && scene.has_orders(),
             layers,
         }
     }
