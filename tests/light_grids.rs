@@ -150,7 +150,7 @@ fn memory_is_kept_to() {
     assert!(needed > 1 << 20 && allowed == 1 << 20);
     let report = &with(needed + (1 << 21)).unwrap()[0].1;
     assert!(report.refined[0] > 0 && report.refined[0] < report.refined[1], "{report}");
-    assert!(report.to_string().contains("for want of memory"), "{report}");
+    assert!(report.to_string().contains("limited by memory"), "{report}");
 }
 
 /// A frame in which nothing moves that light meets takes the grid of the one before.

@@ -170,7 +170,11 @@ fn a_flat_picture_takes_the_corners_alone() {
     assert!(
         picture.band.color.iter().zip([0.2, 0.4, 0.6]).all(|(plane, c)| plane.iter().all(|v| (v - c).abs() < 1e-6))
     );
-    assert!(picture.totals.to_string().contains("1.07 samples a pixel, all pixels within 0.02"), "{}", picture.totals);
+    assert!(
+        picture.totals.to_string().contains("1.07 samples per pixel, all pixels within 0.02"),
+        "{}",
+        picture.totals
+    );
 }
 
 /// More samples are taken by just those pixels whose corners the ball's outline parts, and the picture is as good as one of 16

@@ -127,7 +127,7 @@ fn films_without_alpha_are_before_black() {
     let pixels = [[255, 255, 255, 128], [255, 0, 0, 0], [9, 99, 199, 255]];
     image::RgbaImage::from_fn(3, 1, |x, _| image::Rgba(pixels[x as usize])).save(&frame).unwrap();
     let frames = [frame];
-    assert!(lost_alpha(&gif, &frames).is_some_and(|words| words.contains("before black")));
+    assert!(lost_alpha(&gif, &frames).is_some_and(|words| words.contains("blended with black")));
     assert_eq!(lost_alpha(&png, &frames), None);
     film(&gif, &frames, 24.0, &Progress::default()).unwrap();
     let shown = image::open(&gif).unwrap().into_rgba8();

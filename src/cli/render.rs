@@ -94,7 +94,7 @@ fn layers() -> impl TypedValueParser<Value = Option<Layer>> {
     one_of(
         all,
         |layer| layer.map_or("none", Layer::name),
-        |layer| layer.map_or("No layers, only colour", Layer::meaning),
+        |layer| layer.map_or("No layers, only color", Layer::meaning),
     )
 }
 
@@ -106,15 +106,15 @@ impl Arguments {
     fn check(&self) -> Result<(), Error> {
         self.device.check()?;
         if self.layers.is_some() && !self.output.iter().chain(&self.preview).any(|path| is_exr(path)) {
-            return Err(usage!("--layers are written to an EXR: name one with -o"));
+            return Err(usage!("--layers requires an EXR output: add one with -o"));
         }
         if self.layers.as_ref().is_some_and(|layers| layers.len() > 1 && layers.contains(&None)) {
-            return Err(usage!("--layers: `none` stands alone, for it says that there are no others"));
+            return Err(usage!("--layers: `none` cannot be combined with other layers"));
         }
         let only_films = |path: &&PathBuf| self.frames.is_none() && is_film(path) && !has_extension(path, "png");
         if let Some(path) = self.output.iter().find(only_films) {
             let path = path.display();
-            return Err(usage!("{path}: a film is of frames: add --frames all, for a scene with [animation]"));
+            return Err(usage!("{path}: a video consists of frames; add --frames all, for a scene with [animation]"));
         }
         self.output.iter().try_for_each(|path| self.check_name(path))
     }
@@ -123,9 +123,12 @@ impl Arguments {
     fn check_name(&self, path: &Path) -> Result<(), Error> {
         let problem = match (numbered(path, 0), &self.frames) {
             (Err(problem), Some(_)) => problem,
-            (Ok(Some(_)), None) => "a place for a frame's number, {frame}, #### or %04d, needs --frames".to_owned(),
+            (Ok(Some(_)), None) => {
+                "a placeholder for the frame number ({frame}, #### or %04d) requires --frames".to_owned()
+            }
             (Ok(None), Some(_)) if !self.is_film(path) => {
-                "--frames write a file each, so its name needs {frame} or {frame:4}; a film's ends in .mp4, .webm, .gif or .png"
+                "--frames writes one file per frame, so the name needs {frame} or {frame:4}; the name of a video \
+                 ends in .mp4, .webm, .gif or .png"
                     .to_owned()
             }
             _ => return Ok(()),
@@ -155,7 +158,7 @@ impl Arguments {
             (self.preview.is_some(), "--preview"),
         ];
         match alone.into_iter().find(|(is_given, _)| *is_given) {
-            Some((_, name)) => Err(usage!("{name} is for one render, and a farm has many: leave it out")),
+            Some((_, name)) => Err(usage!("{name} cannot be used with `farm`, which runs many renders; remove it")),
             None => Ok(()),
         }
     }
@@ -178,24 +181,24 @@ impl Arguments {
         let asked = |layer| self.layers.as_ref().is_some_and(|layers| layers.contains(&Some(layer)));
         if asked(Layer::StandardError) && scene.rays.paths.is_none() && scene.image.adaptive.is_none() {
             return Err(usage!(
-                "the layer `standard_error` is of pictures that take random samples: with lighting = \"path-tracing\" or image.adaptive"
+                "the layer `standard_error` requires random samples: set lighting = \"path-tracing\" or image.adaptive"
             ));
         }
         if SUMS.into_iter().any(asked) && !is_continuable(&scene) {
             return Err(usage!(
-                "the layers `accumulated` and `luminance_m2` are of pictures with lighting = \"path-tracing\" and without image.adaptive"
+                "the layers `accumulated` and `luminance_m2` require lighting = \"path-tracing\" without image.adaptive"
             ));
         }
         if asked(Layer::Redshift) && !scene.has_frequencies() {
             return Err(usage!(
-                "the layer `redshift` is of pictures without paths that an observer sees: with camera.observer, and a law of \
-                           spacetime without t"
+                "the layer `redshift` requires camera.observer and a stationary spacetime, and cannot be combined with \
+                 lighting = \"path-tracing\""
             ));
         }
         if asked(Layer::ImageOrder) && !scene.has_orders() {
             return Err(usage!(
-                "the layer `image_order` is of surfaces with `opacity` below 1, without clear objects, fans, image.adaptive and \
-                           random rays.max_splits"
+                "the layer `image_order` requires surfaces with `opacity` below 1, and cannot be combined with \
+                 transparent objects, ray splitters, image.adaptive or rays.max_splits = \"stochastic\""
             ));
         }
         match self.crop.filter(|window| !window.fits(scene.image.size)) {
@@ -214,7 +217,7 @@ pub(super) fn targets_of(share: Share, frames: &[Option<u32>], scene: &Scene) ->
     let rows = scene.image.size[1];
     let too_many = |target: &&Target| target.band.is_some_and(|band| band.count > rows);
     match targets.iter().find(too_many) {
-        Some(_) => Err(usage!("--part: these are more parts than the {rows} rows of each picture")),
+        Some(_) => Err(usage!("--part: there are more parts than the {rows} rows of each image")),
         None => Ok(targets),
     }
 }
@@ -298,29 +301,34 @@ pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
 /// Prints warnings for rays that were lost, whatever the exit code is.
 pub(super) fn warn(totals: &Totals) {
     let advice = [
-        (Status::Alive, "had not ended when the passes ran out: this is a fault of bentray; please report it"),
-        (Status::Exhausted, "used up rays.max_segments: raise it, or take longer steps"),
-        (Status::Stalled, "stopped moving: their steps fell under what float32 resolves"),
-        (Status::Failed, "became infinite or undefined: take shorter steps, or give sources a capture radius"),
+        (Status::Alive, "were active after the last pass", "report this bug of bentray"),
+        (Status::Exhausted, "reached rays.max_segments", "raise it, or take longer steps"),
+        (Status::Stalled, "stalled", "take longer steps, which float32 can resolve"),
+        (Status::Failed, "became infinite or undefined", "take shorter steps, or give sources a capture radius"),
     ];
     if totals.unfiltered > 0 {
         tell!(
-            "warning: on {} stretches of paths a filter could not be had to its tolerance, or is below 0 or above 1 there: raise \
-             absorption.tolerance, or correct the formula",
+            "warning: absorption did not converge to absorption.tolerance, or its formula left [0, 1], on {} path \
+             segments: raise absorption.tolerance, or correct the formula",
             totals.unfiltered
         );
     }
     if totals.overrun > 0 {
         tell!(
-            "warning: {} segments need more loop iterations than this device runs in one pass, and their rays failed: use \
-             `acceleration = \"bvh\"`, fewer sources of force, shorter loops in WGSL of your own, or fewer steps a segment; or render on a GPU",
+            "warning: {} segments need more loop iterations than this device runs in one pass, and their rays \
+             failed: use `acceleration = \"bvh\"`, fewer force sources, shorter loops in custom WGSL, or fewer steps \
+             per segment; or render on a GPU",
             totals.overrun
         );
     }
-    for (status, what) in advice {
-        let count = totals.count(status);
+    for (status, what, remedy) in advice {
+        let (count, name) = (totals.count(status), status.name());
         if count > 0 {
-            tell!("warning: {count} rays {what} (black in the picture, `{}` in the status layer)", status.name());
+            let share = 100.0 * count as f64 / totals.rays as f64;
+            let rays = if count == 1 { "ray" } else { "rays" };
+            tell!(
+                "warning: {count} {rays} ({share:.2} %) {what} (black in the image, `{name}` in the status layer): {remedy}"
+            );
         }
     }
 }

@@ -33,7 +33,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Error> {
     for path in &arguments.output {
         film(path, &arguments.frames, arguments.rate, &screen::progress())?;
         if let Some(words) = lost_alpha(path, &arguments.frames) {
-            tell!("warning: {} has no alpha: {words} (an animated .png keeps it)", path.display());
+            tell!("warning: {} cannot store all alpha values: {words} (an animated .png keeps alpha)", path.display());
         }
     }
     Ok(())

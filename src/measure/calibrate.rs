@@ -70,22 +70,22 @@ impl Calibration {
         if self.rays.is_lacking() {
             let name = self.chosen.method.kind.name;
             return Some(format!(
-                "{unsettled} of the {all} rays tried end elsewhere when {name} takes finer steps; 95 of 100 others are within \
-                 {best:.1e} rad"
+                "{unsettled} of {all} test rays end elsewhere when {name} takes finer steps; 95 % of the others are \
+                 within {best:.1e} rad"
             ));
         }
         let more = match self.in_double {
-            Some(trial) if trial.error <= asked => "; --precision f64 does".to_owned(),
-            Some(trial) => format!("; --precision f64 comes to {:.1e}", trial.error),
+            Some(trial) if trial.error <= asked => "; --precision f64 is accurate enough".to_owned(),
+            Some(trial) => format!("; --precision f64 reaches {:.1e} rad", trial.error),
             None if !self.compared => "; other methods and --precision f64 were not tried".to_owned(),
             None => String::new(),
         };
         let subject = if self.compared {
-            "no method brings".to_owned()
+            "no method keeps".to_owned()
         } else {
-            format!("{} does not bring", self.chosen.method.kind.name)
+            format!("{} does not keep", self.chosen.method.kind.name)
         };
-        Some(format!("{subject} 99 of 100 rays within {asked:.1e} rad; the best comes to {best:.1e}{more}"))
+        Some(format!("{subject} 99 % of the rays within {asked:.1e} rad; the best error is {best:.1e} rad{more}"))
     }
 
     /// Returns the scene with the chosen method.
@@ -243,7 +243,7 @@ pub(super) fn unjudged() -> Trial {
 
 impl fmt::Display for Calibration {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "auto: {}, max_segments {}", self.chosen, self.max_segments)?;
+        write!(f, "method auto: {}, max_segments {}", self.chosen, self.max_segments)?;
         if self.closed_forms != self.chosen.method.kind.closed_forms {
             write!(f, ", closed_forms {}", self.closed_forms)?;
         }
@@ -255,17 +255,17 @@ impl fmt::Display for Calibration {
         }
         if !self.reached() && self.chosen.error.is_finite() {
             let subject = if self.compared { "no method reaches" } else { "it does not reach" };
-            write!(f, "; {subject} the accuracy asked for, {:.1e} rad: this is the best", self.accuracy)?;
+            write!(f, "; {subject} the requested accuracy of {:.1e} rad", self.accuracy)?;
         }
         if let Some(trial) = &self.in_double {
-            write!(f, "; in 64 bits, by --precision auto, {trial}")?;
+            write!(f, "; --precision auto would use 64 bits and {trial}")?;
         }
         let Settled { all, unsettled, endless } = self.rays;
         if self.rays.is_lacking() {
-            write!(f, "; {unsettled} of the {all} rays tried end elsewhere with finer steps")?;
+            write!(f, "; {unsettled} of {all} test rays end elsewhere with finer steps")?;
         }
         if endless > 0 {
-            write!(f, "; {endless} of the {all} rays tried have no end that could be known in full")?;
+            write!(f, "; {endless} of {all} test rays have an unresolved end")?;
         }
         Ok(())
     }

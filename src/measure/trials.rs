@@ -135,13 +135,19 @@ impl<'a> Trials<'a> {
 
 impl fmt::Display for Trial {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let words = method_words(self.method, self.control);
-        if !self.error.is_finite() {
-            return write!(f, "{words}: the rule where no method can be judged");
+        let mut words = method_words(self.method, self.control);
+        if let Some((name, settings)) = words.split_once(", ") {
+            words = format!("{name} ({settings})");
         }
-        let within =
-            if self.error == 0.0 { "end as they should".to_owned() } else { format!("within {:.1e} rad", self.error) };
-        write!(f, "{words}: 99 % {within}")?;
-        if self.cost.is_finite() { write!(f, ", {:.0} evaluations' cost a ray", self.cost) } else { Ok(()) }
+        if !self.error.is_finite() {
+            return write!(f, "{words}, the default because no method could be tested");
+        }
+        let within = if self.error == 0.0 {
+            "equal to the reference solution".to_owned()
+        } else {
+            format!("within {:.1e} rad", self.error)
+        };
+        write!(f, "{words}, 99 % of the rays {within}")?;
+        if self.cost.is_finite() { write!(f, ", about {:.0} evaluations per ray", self.cost) } else { Ok(()) }
     }
 }

@@ -45,7 +45,7 @@ impl Verification {
         };
         let rows = [
             ("rays", found.rays.to_string()),
-            ("tolerance of the truth", format!("{:.0e}", self.tolerance)),
+            ("tolerance of the reference", format!("{:.0e}", self.tolerance)),
             ("angle error (rad)", quantiles(&found.angle)),
             ("position error", quantiles(&found.position)),
             ("tau error", quantiles(&found.tau)),
@@ -62,13 +62,14 @@ impl fmt::Display for Verification {
         if found.rays == 0 {
             return write!(
                 f,
-                "not verified: none of {} rays has an end that could be known, against f64 at tolerance {:.0e}",
+                "not verified: none of {} rays has a resolved end in the reference solution (f64, tolerance {:.0e})",
                 found.unresolved, self.tolerance
             );
         }
         writeln!(
             f,
-            "verified on {} rays against f64 at tolerance {:.0e}: {} ended wrongly ({} of them flagged), {} unresolved",
+            "verified {} rays against a reference solution (f64, tolerance {:.0e}): {} with a wrong end ({} of them \
+             flagged), {} unresolved",
             found.rays, self.tolerance, found.wrong, found.flagged, found.unresolved
         )?;
         writeln!(f, "{:<22}{:>12}{:>12}{:>12}", "error", "median", "99 %", "max")?;

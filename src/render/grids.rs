@@ -26,9 +26,9 @@ pub enum Gridded {
 impl fmt::Display for Gridded {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::Light(light) => write!(f, "light {light}"),
-            Self::Beam(lamp, None) => write!(f, "guide from object {lamp}"),
-            Self::Beam(lamp, Some(object)) => write!(f, "guide from object {lamp} by object {object}"),
+            Self::Light(light) => write!(f, "lights[{light}]"),
+            Self::Beam(lamp, None) => write!(f, "path guiding from objects[{lamp}]"),
+            Self::Beam(lamp, Some(object)) => write!(f, "path guiding from objects[{lamp}] via objects[{object}]"),
         }
     }
 }
@@ -62,14 +62,14 @@ impl fmt::Display for LightReport {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let ([x, y, z], [refined, wanted]) = (self.count, self.refined);
         let mebibytes = self.bytes as f64 / f64::from(1 << 20);
-        write!(f, "{}: {x}×{y}×{z} voxels, {refined} in parts", self.of)?;
+        write!(f, "{}: {x}×{y}×{z} voxels, {refined} refined", self.of)?;
         if refined < wanted {
-            write!(f, " of {wanted} for want of memory")?;
+            write!(f, " (of {wanted}, limited by memory)")?;
         }
         write!(f, ", {} paths, {mebibytes:.1} MiB, {:.3} s", self.totals.rays, self.wall.as_secs_f64())?;
         match self.unfollowed() {
             0 => Ok(()),
-            lost => write!(f, "; {lost} of them could not be followed to their ends"),
+            lost => write!(f, "; {lost} paths could not be traced to their ends"),
         }
     }
 }

@@ -48,9 +48,9 @@ impl fmt::Display for Noise {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match (self.mean(), self.median()) {
             (Some(mean), Some(median)) => {
-                write!(f, "noise {:.2} % of the picture's mean (median pixel {:.2} %)", 100.0 * mean, 100.0 * median)
+                write!(f, "noise {:.2} % of the image's mean (median pixel {:.2} %)", 100.0 * mean, 100.0 * median)
             }
-            _ => write!(f, "its noise is not known: nothing is lit, or pixels have one sample"),
+            _ => write!(f, "noise unknown, because the image is black or has one sample per pixel"),
         }
     }
 }

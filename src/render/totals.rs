@@ -108,12 +108,12 @@ impl Adaptive {
 impl fmt::Display for Adaptive {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self { pixels, capped, most, tolerance, .. } = self;
-        write!(f, "{:.2} samples a pixel, ", self.mean())?;
+        write!(f, "{:.2} samples per pixel, ", self.mean())?;
         if *capped == 0 {
             return write!(f, "all pixels within {tolerance}");
         }
         let share = 100.0 * *capped as f64 / *pixels as f64;
-        write!(f, "{capped} pixels ({share:.2} %) not within {tolerance} after {most}")
+        write!(f, "{capped} pixels ({share:.2} %) not within {tolerance} after {most} samples")
     }
 }
 
@@ -173,7 +173,7 @@ impl Clamped {
 
 impl fmt::Display for Clamped {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{} samples clamped, which took {:.2} % of the light", self.samples, 100.0 * self.share())
+        write!(f, "{} samples clamped, removing {:.2} % of the light", self.samples, 100.0 * self.share())
     }
 }
 
@@ -256,18 +256,18 @@ impl fmt::Display for Totals {
         if let Some(device) = self.device {
             write!(f, ", {:.3} s on the device", device.iter().sum::<Duration>().as_secs_f64())?;
         }
-        write!(f, ", {:.3} s in all;", self.wall.as_secs_f64())?;
+        write!(f, ", {:.3} s in total;", self.wall.as_secs_f64())?;
         for (status, count) in self.by_status.iter().filter(|(_, count)| *count > 0) {
             write!(f, " {} {count}", status.name())?;
         }
         if self.unlit > 0 {
-            write!(f, "; no path from a light for {} places", self.unlit)?;
+            write!(f, "; no light path found for {} points", self.unlit)?;
         }
         if self.unfiltered > 0 {
-            write!(f, "; filters not known on {} stretches of paths", self.unfiltered)?;
+            write!(f, "; absorption not converged on {} path segments", self.unfiltered)?;
         }
         if self.overrun > 0 {
-            write!(f, "; {} segments of more loop iterations than this device runs in one pass", self.overrun)?;
+            write!(f, "; {} segments need more loop iterations than this device runs in one pass", self.overrun)?;
         }
         if let Some(adaptive) = &self.adaptive {
             write!(f, "; {adaptive}")?;

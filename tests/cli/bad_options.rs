@@ -64,7 +64,9 @@ fn frames_are_of_an_animation() {
 #[test]
 fn no_layers_and_one_of_them_are_refused() {
     let folder = Folder::with(BALL);
-    folder.run("render scene.toml -o a.exr --layers none,depth").fails(1, &["--layers: `none` stands alone"]);
+    folder
+        .run("render scene.toml -o a.exr --layers none,depth")
+        .fails(1, &["--layers: `none` cannot be combined with other layers"]);
     folder.run("render scene.toml -o a.exr --layers none").succeeds();
 }
 

@@ -88,7 +88,7 @@ fn check_lists_the_dispatches_of_a_sample() {
     let folder = Folder::with(BALL);
     let listed = |schedule: &str| {
         let said = folder.run(&format!("check scene.toml --commands --schedule {schedule}")).succeeds().out;
-        let lines = said.lines().skip_while(|line| !line.ends_with(" commands a sample, in order:")).map(str::trim);
+        let lines = said.lines().skip_while(|line| !line.ends_with(" commands per sample, in order:")).map(str::trim);
         let lines: Vec<String> =
             lines.take_while(|line| !line.contains("bytes per pixel")).map(str::to_owned).collect();
         assert_eq!(lines[0].split(' ').next().unwrap(), (lines.len() - 1).to_string(), "{said}");
@@ -117,9 +117,9 @@ fn wgsl_prints_each_pass_with_the_files_over_the_pieces() {
         assert!(listed.starts_with(&format!("  pass {name} ")), "{listed}");
         assert!(pass.contains(&format!("fn {name}(")), "{name} is its entry point");
         let files: Vec<&str> = pass.lines().filter_map(|line| line.strip_prefix("// ---- ")).collect();
-        let (_, parts) = listed.split_once(" parts: ").unwrap();
+        let (_, parts) = listed.split_once(" modules: ").unwrap();
         assert_eq!(files.join(" "), parts);
-        assert!(listed.contains(&format!("{:>2} parts: ", files.len())), "{listed}");
+        assert!(listed.contains(&format!("{:>2} modules: ", files.len())), "{listed}");
         // It is a program as it stands, once the line with the pass's name is gone.
         let source = pass.split_once('\n').unwrap().1;
         naga::front::wgsl::parse_str(source).unwrap_or_else(|e| panic!("{}", e.emit_to_string(source)));

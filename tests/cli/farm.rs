@@ -90,11 +90,11 @@ fn jobs_that_cannot_be_are_refused_before_anything_is_written() {
     for (arguments, code, text) in [
         ("slurm scene.toml -o a.exr", 2, "--parts <N>"),
         ("slurm scene.toml -o a.exr --parts 0", 2, "'--parts <N>'"),
-        ("slurm scene.toml -o a.exr --parts 13", 1, "these are more parts than the 12 rows of each picture"),
+        ("slurm scene.toml -o a.exr --parts 13", 1, "there are more parts than the 12 rows of each image"),
         ("slurm none.toml -o a.exr --parts 3", 1, "cannot read `none.toml`"),
         ("slurm scene.toml -o no/a.exr --parts 3", 1, "the folder no does not exist"),
-        ("slurm scene.toml -o a.exr --parts 3 --crop 0,0,4x4", 1, "--crop is for one render, and a farm has many"),
-        ("status scene.toml -o a.exr --parts 3 --part 1/3", 1, "--part is for one render"),
+        ("slurm scene.toml -o a.exr --parts 3 --crop 0,0,4x4", 1, "--crop cannot be used with `farm`"),
+        ("status scene.toml -o a.exr --parts 3 --part 1/3", 1, "--part cannot be used with `farm`"),
         ("kubernetes scene.toml -o a.exr --parts 3", 2, "--image <IMAGE>"),
         ("slurm scene.toml -o a.exr --parts 3 --submit", 1, "submit.sh: sbatch failed"),
     ] {

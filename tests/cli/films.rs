@@ -116,8 +116,8 @@ fn what_is_no_film_is_refused() {
         ("video a.png -o a.png", 1, "a.png: this is one of the frames, which would be lost"),
         ("video a.png -o c.avi", 1, "c.avi: the name of a film must end in .mp4, .webm, .gif, .png or .apng"),
         ("video a.png -o c.gif --rate 0", 2, "`0` is not a number of frames a second"),
-        ("render scene.toml -o c.exr --frames all", 1, "c.exr: --frames write a file each"),
-        ("render scene.toml -o c.gif", 1, "c.gif: a film is of frames: add --frames all"),
+        ("render scene.toml -o c.exr --frames all", 1, "c.exr: --frames writes one file per frame"),
+        ("render scene.toml -o c.gif", 1, "c.gif: a video consists of frames; add --frames all"),
         ("render scene.toml -o c.gif --frames all --set animation.rate=0", 1, "frames a second, from 0.1 to 1000"),
     ] {
         let ran = folder.run(arguments);
@@ -144,7 +144,7 @@ fn frames_are_looked_at_before_any_is_rendered() {
 fn a_film_is_repeated_without_its_frames() {
     let folder = Folder::with(&format!("{BALL}{FILM}[law]\nkind = \"schwarzschild\"\n"));
     let ran = folder.run("render scene.toml -o film.gif --frames 0..1").succeeds();
-    ran.says(&["to repeat it: bentray render scene.toml -o film.gif --frames 0..1\n"]);
+    ran.says(&["reproduce with: bentray render scene.toml -o film.gif --frames 0..1\n"]);
 }
 
 #[test]
@@ -152,6 +152,6 @@ fn what_no_film_can_be_is_refused_before_its_frames() {
     let folder = film();
     let ran = folder.run("render scene.toml -o film.gif --frames all --size 65536x1");
     ran.fails(1, &["film.gif", "a side of 65536 pixels is more than the 65535 of .gif"]);
-    folder.run("render scene.toml -o film.mp4").fails(1, &["film.mp4: a film is of frames: add --frames all"]);
+    folder.run("render scene.toml -o film.mp4").fails(1, &["film.mp4: a video consists of frames; add --frames all"]);
     assert_eq!(folder.names(), ["scene.toml"]);
 }

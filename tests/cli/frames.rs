@@ -81,7 +81,7 @@ fn finished_frames_are_known_by_what_made_them() {
     std::fs::remove_file(folder.path("1.png")).unwrap();
     let (rendered, ran) = film("all");
     assert_eq!(rendered, ["1", "3", "4"]);
-    ran.says(&["2 of 5 were there already, made by the same"]);
+    ran.says(&["2 of 5 existed already, rendered with the same settings"]);
     assert!(film("all").0.is_empty() && folder.read("0.exr") == first);
     // By another scene, method, number of samples or look.
     for (change, why) in [
@@ -99,7 +99,7 @@ fn finished_frames_are_known_by_what_made_them() {
         assert!(folder.read("0.exr") == first);
     }
     folder.write("0.png", "no picture");
-    film("0").1.says(&["0.png is rendered again: it is no picture of this version of bentray"]);
+    film("0").1.says(&["0.png is rendered again: it is not an image from this version of bentray"]);
 }
 
 /// What was finished before a frame that cannot be rendered stays, and the key that is at fault is named.
@@ -126,8 +126,16 @@ fn a_frame_of_another_program_names_the_key_before_any_is_rendered() {
 fn frames_that_cannot_be_are_refused() {
     let folder = film();
     for (arguments, code, text) in [
-        ("-o a.exr --frames 0..4", 1, "a.exr: --frames write a file each, so its name needs {frame} or {frame:4}"),
-        ("-o {frame}.png", 1, "{frame}.png: a place for a frame's number, {frame}, #### or %04d, needs --frames"),
+        (
+            "-o a.exr --frames 0..4",
+            1,
+            "a.exr: --frames writes one file per frame, so the name needs {frame} or {frame:4}",
+        ),
+        (
+            "-o {frame}.png",
+            1,
+            "{frame}.png: a placeholder for the frame number ({frame}, #### or %04d) requires --frames",
+        ),
         ("-o {frame:x}.png --frames 1", 1, "{frame:x}.png: `{frame:x}` is not {frame} or {frame:4}"),
         ("-o a_{n}.png --frames 1", 1, "a_{n}.png: `{n}` is not {frame} or {frame:4}"),
         ("-o {frame}.png --frames 3..5", 1, "--frames: there is no frame 5: the scene's frames are 0..4"),
@@ -162,7 +170,7 @@ fn lists_of_frames_are_rendered_whole_in_parts_and_as_a_film() {
     let names = ["scene.toml", "x1_01.png", "x3_03.png", "x5_05.png", "x8_08.png"];
     assert_eq!(folder.names(), names);
     let film = "render scene.toml -o x{frame}_{frame:2}.png -o film.gif --frames 1,3,5,8";
-    folder.run(film).succeeds().says(&["4 of 4 were there already", "film.gif: 4 frames, 24 a second"]);
+    folder.run(film).succeeds().says(&["4 of 4 existed already", "film.gif: 4 frames, 24 per second"]);
     // The jobs of an array with a step render all of them between them.
     for id in [0, 2, 4] {
         let mut command = folder.command("render scene.toml -o a_%03d.png --frames 8,1-5:2 --part auto");

@@ -58,10 +58,10 @@ fn a_render_has_the_numbers_of_its_words() {
     for (end, count) in picture["terminations"].as_object().unwrap() {
         assert_eq!(words.contains(&format!(" {end} {count}")), *count != 0, "{words}");
     }
-    assert!(words.contains(&format!(", {:.3} s in all;", picture["seconds"].as_f64().unwrap())), "{words}");
+    assert!(words.contains(&format!(", {:.3} s in total;", picture["seconds"].as_f64().unwrap())), "{words}");
     assert!(words.contains(&format!(", {:.3} s on the device,", sum(&picture["device_seconds"]))), "{words}");
     assert!(ran.line("first pixel").starts_with(&format!("first pixel after {:.3} s", sum(&picture["start_seconds"]))));
-    assert_eq!(ran.line("to repeat it: "), format!("to repeat it: {}", picture["command"].as_str().unwrap()));
+    assert_eq!(ran.line("reproduce with: "), format!("reproduce with: {}", picture["command"].as_str().unwrap()));
     assert!(!ran.err.contains("--json"), "{}", ran.err);
     let followed = &picture["integrator"];
     assert_eq!((&followed["method"], &followed["precision"]), (&"rk4".into(), &"f32".into()));
@@ -100,7 +100,7 @@ fn what_could_not_be_followed_is_counted_and_fails_as_ever() {
     let picture = ran.object();
     assert!(ran.code == Some(1) && picture["unresolved_rays"].as_u64().unwrap() > 0, "{}", ran.out);
     assert_eq!(picture["unresolved_rays"], picture["terminations"]["exhausted"]);
-    ran.line("used up rays.max_segments");
+    ran.line("reached rays.max_segments");
     folder.run("render nope.toml -o a.png --json").fails(1, &["cannot read `nope.toml`"]);
     folder.run("render scene.toml -o a.png --device none --json").fails(1, &["none"]);
 }
@@ -111,8 +111,11 @@ fn an_error_that_is_measured_is_in_the_picture_alone() {
     let line = format!("render scene.toml -o a.png {HOLE} --verify 40");
     let words = folder.run(&line).succeeds().out;
     let found = &folder.run(&format!("{line} --json")).succeeds().object()["verification"];
-    assert!(words.starts_with(&format!("verified on {} rays against f64", found["rays"])), "{words}");
-    assert!(words.contains(&format!("{} ended wrongly", found["wrong_terminations"])), "{words}");
+    assert!(
+        words.starts_with(&format!("verified {} rays against a reference solution (f64", found["rays"])),
+        "{words}"
+    );
+    assert!(words.contains(&format!("{} with a wrong end", found["wrong_terminations"])), "{words}");
     let number = |key: &str| found["angle_radians"][key].as_f64().unwrap();
     assert!(number("median") <= number("p99") && number("p99") <= number("max"), "{found}");
     assert!(words.contains(&format!("{:.2e}", number("max"))), "{words}");

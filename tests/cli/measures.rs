@@ -12,7 +12,15 @@ fn a_picture_carries_its_measured_error() {
     let ran = folder
         .run(&format!("render scene.toml -o a.png -o a.exr --size 48x36 {HOLE} --set rays.method=rk4 --verify 50"))
         .succeeds();
-    for text in ["verified on", "rays against f64", "angle (rad)", "position", "depth", "ended wrongly", "unresolved"] {
+    for text in [
+        "verified 50",
+        "rays against a reference solution (f64",
+        "angle (rad)",
+        "position",
+        "depth",
+        "with a wrong end",
+        "unresolved",
+    ] {
         assert!(ran.out.contains(text), "{text} in {}", ran.out);
     }
     let (png, exr) = (folder.read("a.png"), folder.read("a.exr"));
@@ -29,18 +37,18 @@ fn a_picture_carries_its_measured_error() {
 fn a_calibration_says_what_it_chose() {
     let folder = Folder::with(BALL);
     let ran = folder.run(&format!("render scene.toml -o a.png {HOLE} --set rays.accuracy=1e-3")).succeeds();
-    let line = ran.err.lines().find(|line| line.starts_with("auto: ")).unwrap_or_else(|| panic!("{}", ran.err));
-    assert!(line.contains("99 % within") && line.contains("evaluations' cost a ray"), "{line}");
+    let line = ran.err.lines().find(|line| line.starts_with("method auto: ")).unwrap_or_else(|| panic!("{}", ran.err));
+    assert!(line.contains("99 % of the rays within") && line.contains("evaluations per ray"), "{line}");
     // Named, it makes the same picture to the bit.
-    let (chosen, _) = line.strip_prefix("auto: ").and_then(|line| line.split_once(": ")).unwrap();
+    let (chosen, _) = line.strip_prefix("method auto: ").and_then(|line| line.split_once("), ")).unwrap();
     let (_, segments) = line.split_once("max_segments ").unwrap();
-    let (method, settings) = chosen.split_once(", ").unwrap();
+    let (method, settings) = chosen.split_once(" (").unwrap();
     let settings: Vec<_> = settings.split(", ").map(|s| format!("--set rays.{}", s.replace(' ', "="))).collect();
     let segments = segments.split(';').next().unwrap();
     let named = format!("--set rays.method={method} {} --set rays.max_segments={segments}", settings.join(" "));
     let ran = folder.run(&format!("render scene.toml -o b.png {HOLE} {named}")).succeeds();
     assert!(decoded(&folder, "a.png") == decoded(&folder, "b.png"), "{named}");
-    assert!(!ran.err.contains("auto: "), "{}", ran.err);
+    assert!(!ran.err.contains("method auto: "), "{}", ran.err);
     folder
         .run("render scene.toml -o a.png --set rays.accuracy=thin --set law.kind=schwarzschild")
         .fails(1, &["expected an angle in radians, or in pixels such as \"0.1px\""]);
@@ -57,14 +65,14 @@ fn the_method_from_a_picture_is_repeated() {
             .to_owned(), false),
     ] {
         let ran = folder.run(&format!("render scene.toml -o a.png -o a.exr {HOLE} {method}")).succeeds();
-        assert_eq!(ran.err.contains("auto: "), sought, "{}", ran.err);
+        assert_eq!(ran.err.contains("method auto: "), sought, "{}", ran.err);
         for of in ["a.png", "a.exr"] {
             let other = "--set rays.method=leapfrog --set rays.step=0.5 --set rays.max_segments=7";
             folder.write("other.toml", BALL.replace("[rays]", "[rays]\nmethod = \"leapfrog\"\nstep = 0.5\nmax_segments = 7"));
             let wrong = folder.run(&format!("render scene.toml -o b.exr {HOLE} {other}")).succeeds();
             assert!(folder.read("a.exr") != folder.read("b.exr"), "{}", wrong.err);
             let ran = folder.run(&format!("render other.toml -o b.exr {HOLE} --method-from {of}")).succeeds();
-            assert!(!ran.err.contains("auto: "), "{}", ran.err);
+            assert!(!ran.err.contains("method auto: "), "{}", ran.err);
             assert!(folder.read("a.exr") == folder.read("b.exr"), "{method} of {of}");
         }
     }
@@ -87,7 +95,7 @@ fn a_decision_is_kept_and_changes_nothing() {
         let output = folder.command(arguments).env("BENTRAY_CACHE", cache).output().unwrap();
         assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
         let err = String::from_utf8(output.stderr).unwrap();
-        err.lines().find(|line| line.starts_with("auto: ")).unwrap_or_else(|| panic!("{err}")).to_owned()
+        err.lines().find(|line| line.starts_with("method auto: ")).unwrap_or_else(|| panic!("{err}")).to_owned()
     };
     let kept = || {
         let names = folder.names();
@@ -128,14 +136,18 @@ fn where_32_bits_do_not_suffice_64_are_named_or_taken() {
     );
     let line = |arguments: &str| {
         let ran = folder.run(arguments).succeeds();
-        let warns = ran.err.contains("warning: no method brings 99 of 100 rays within ")
-            && ran.err.contains("; --precision f64 does\n");
+        let warns = ran.err.contains("warning: no method keeps 99 % of the rays within ")
+            && ran.err.contains("; --precision f64 is accurate enough\n");
         assert_eq!(warns, !arguments.contains("--precision"), "{}", ran.err);
-        ran.err.lines().find(|line| line.starts_with("auto: ")).unwrap_or_else(|| panic!("{}", ran.err)).to_owned()
+        ran.err
+            .lines()
+            .find(|line| line.starts_with("method auto: "))
+            .unwrap_or_else(|| panic!("{}", ran.err))
+            .to_owned()
     };
     let single = line("render scene.toml -o a.exr");
     assert!(
-        single.contains("no method reaches") && single.contains("in 64 bits, by --precision auto, planar"),
+        single.contains("no method reaches") && single.contains("--precision auto would use 64 bits and planar"),
         "{single}"
     );
     let double = line("render scene.toml -o b.exr --precision auto");

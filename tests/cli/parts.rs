@@ -98,7 +98,7 @@ fn equal_parts_make_the_whole_to_the_byte() {
     folder.run(&format!("render scene.toml -o whole.exr -o whole.png {scene}")).succeeds();
     for part in 1..=5 {
         let ran = folder.run(&format!("render scene.toml -o made.png -o made.exr --part {part}/5 {scene}")).succeeds();
-        ran.says(&["to repeat it: bentray render scene.toml"]);
+        ran.says(&["reproduce with: bentray render scene.toml"]);
     }
     let names: Vec<String> = (1..=5).map(|part| format!("made.part-{part}-of-5.exr")).collect();
     let parts = names.join(" ");
@@ -120,7 +120,7 @@ fn equal_parts_make_the_whole_to_the_byte() {
     assert!(!again("").err.contains(" rays, "));
     again("--set sky.color=[1,1,1]").says(&["made.part-2-of-5.exr is rendered again: its `sky.color` is", " rays, "]);
     for (arguments, text) in [
-        ("--part 1/31", "--part: these are more parts than the 30 rows of each picture"),
+        ("--part 1/31", "--part: there are more parts than the 30 rows of each image"),
         ("--part auto", "--part auto: none of these variables is set: SLURM_ARRAY_TASK_ID (Slurm)"),
     ] {
         folder.run(&format!("render scene.toml -o a.exr {scene} {arguments}")).fails(1, &[text]);

@@ -70,7 +70,7 @@ fn exposure_brightens_the_png_and_leaves_the_exr() {
 #[test]
 fn a_render_says_what_repeats_it() {
     let again = |folder: &Folder, ran: &super::Ran| {
-        let line = ran.err.lines().find_map(|line| line.strip_prefix("to repeat it: bentray ")).unwrap().to_owned();
+        let line = ran.err.lines().find_map(|line| line.strip_prefix("reproduce with: bentray ")).unwrap().to_owned();
         let files = ["a.png", "a.exr"].map(|name| folder.read(name));
         std::fs::remove_file(folder.path("a.exr")).unwrap();
         folder.run(&line.replace('\'', "")).succeeds();
@@ -232,7 +232,7 @@ fn the_last_line_sums_up_and_says_which_rays_were_lost() {
     let ran = folder.run("render scene.toml -o a.png --samples 3 --strict").succeeds();
     let totals = ran.err.lines().last().unwrap();
     assert!(totals.starts_with("576 rays, 576 steps, 576 segments, "), "{totals}");
-    assert!(totals.contains(" s in all; "), "{totals}");
+    assert!(totals.contains(" s in total; "), "{totals}");
     let (_, fates) = totals.split_once("; ").unwrap();
     let words: Vec<&str> = fates.split(' ').collect();
     assert_eq!([words[0], words[2]], ["hit", "escaped"]);
@@ -241,8 +241,8 @@ fn the_last_line_sums_up_and_says_which_rays_were_lost() {
     assert!(!ran.err.contains("warning"), "{}", ran.err);
 
     let short = "render scene.toml -o a.png --set rays.method=rk4 --set rays.max_segments=1";
-    let warning = "warning: 192 rays used up rays.max_segments: raise it, or take longer steps \
-                   (black in the picture, `exhausted` in the status layer)";
+    let warning = "warning: 192 rays (100.00 %) reached rays.max_segments (black in the image, `exhausted` in the \
+                   status layer): raise it, or take longer steps";
     let lenient = folder.run(short).succeeds();
     assert!(lenient.err.contains("; exhausted 192\n"), "{}", lenient.err);
     lenient.says(&[warning]);

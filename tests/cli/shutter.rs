@@ -68,7 +68,7 @@ fn what_the_shutter_does_not_go_with_is_said() {
         folder.run(&format!("render scene.toml -o {{frame}}.png --frames 0 --set {set}")).fails(1, &[message]);
     }
     let ran = folder.run("render scene.toml -o {frame}.png --frames 0 --samples 1").succeeds();
-    ran.says(&["warning: the shutter is open, but one sample a pixel shows one moment"]);
+    ran.says(&["warning: the shutter is open, but one sample per pixel shows no motion blur"]);
     // A moment that is wrong, where every frame is right: the camera meets the horizon.
     let hole = "[law]\nkind = \"schwarzschild\"\n";
     let track = "key = \"camera.position\"\nvalues = [[0, 0, 5], [0, 0, 1]]\nkeyframes = [3, 3.5]";

@@ -24,7 +24,7 @@ fn a_scene_from_standard_input_is_that_of_a_file() {
         .save(folder.path("sky.png"))
         .unwrap();
     folder.run("render scene.toml -o a.png").succeeds();
-    fed(&folder, "render - -o b.png", &scene).succeeds().says(&["to repeat it: bentray render - -o b.png"]);
+    fed(&folder, "render - -o b.png", &scene).succeeds().says(&["reproduce with: bentray render - -o b.png"]);
     assert!(folder.read("a.png") == folder.read("b.png"));
     let found = fed(&folder, "check -", &scene).succeeds();
     assert_eq!(found.out.replace("-: ", "scene.toml: "), folder.run("check scene.toml").succeeds().out);

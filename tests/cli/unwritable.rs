@@ -14,7 +14,7 @@ fn targets_that_cannot_be_written_are_refused_before_the_work() {
         ("render scene.toml -o scene.toml/a.png", "scene.toml/a.png: "),
         ("render scene.toml -o a.jpg", "a.jpg: the name must end in .png (colour to look at) or .exr"),
         ("render scene.toml -o a", "a: the name must end in .png"),
-        ("render scene.toml -o a.png -o b.gif", "b.gif: a film is of frames: add --frames all"),
+        ("render scene.toml -o a.png -o b.gif", "b.gif: a video consists of frames; add --frames all"),
         ("trace scene.toml --rays rays.csv -o nodir/a.csv", "nodir/a.csv: the folder nodir does not exist"),
         ("trace scene.toml --rays rays.csv -o folder.png", "folder.png: this is a folder"),
         ("new nodir/scene.toml", "nodir/scene.toml: the folder nodir does not exist"),

@@ -47,12 +47,12 @@ impl Found for Modelled<'_> {
             .chain(self.halved_pictures())
             .collect());
         add(scene.warnings().iter().map(|words| format!("warning: {words}")).collect());
-        let swallowed = |light| format!("light {light} (from 0) is inside of what captures rays, and lights nothing");
+        let swallowed = |light| format!("lights[{light}] is inside a capture region and has no effect");
         add(scene.swallowed_lights().into_iter().map(swallowed).collect());
         add(self.light_grids().map(|grid| grid.words()).collect());
         add(random_words(scene));
         if scene.rays.auto.is_some() {
-            add(vec!["method auto: measured when the scene is rendered; counted here for rk4".to_owned()]);
+            add(vec!["method auto: chosen when the scene is rendered; this output assumes rk4".to_owned()]);
         }
         add(vec![self.memory_words()]);
         add(self.frame_words());
@@ -90,7 +90,8 @@ impl Modelled<'_> {
     fn adaptive_words(&self) -> Option<String> {
         let (tolerance, most) = (self.scene.image.adaptive?, self.scene.image.samples);
         Some(format!(
-            "adaptive: a ray a pixel through its corner, then 16 and on to {most}, until the error is below {tolerance}"
+            "adaptive sampling: one ray per pixel corner, then 16 to {most} samples per pixel until the error is \
+             below {tolerance}"
         ))
     }
 
@@ -100,7 +101,7 @@ impl Modelled<'_> {
             let parts = linked.parts();
             let named = if self.names_parts { format!(": {}", parts.join(" ")) } else { String::new() };
             let (entry, count) = (pass.entry(), parts.len());
-            format!("pass {entry:<10} {lines:>4} lines, {bindings:>2} bindings, {count:>2} parts{named}")
+            format!("pass {entry:<10} {lines:>4} lines, {bindings:>2} bindings, {count:>2} modules{named}")
         });
         passes.collect()
     }
@@ -116,8 +117,8 @@ impl Modelled<'_> {
         }
         let commands = self.commands();
         let head = match self.program.features.rounds {
-            1 => format!("{} commands a sample, in order:", commands.len()),
-            rounds => format!("{} commands a round, in order; up to {rounds} rounds a sample:", commands.len()),
+            1 => format!("{} commands per sample, in order:", commands.len()),
+            rounds => format!("{} commands per round, in order; up to {rounds} rounds per sample:", commands.len()),
         };
         [head].into_iter().chain(commands.into_iter().map(|command| format!("  {command}"))).collect()
     }
@@ -165,11 +166,12 @@ impl Modelled<'_> {
     fn frame_words(&self) -> Vec<String> {
         let Some(animation) = &self.scene.animation else { return Vec::new() };
         let (frames, checked) = (animation.frames, self.frames_checked);
-        let some = format!("of {frames} frames {checked} are checked, evenly from first to last");
-        let all = format!("{frames} frames of one program, in which {} change", animation.keys.join(", "));
+        let some = format!("checked {checked} of {frames} frames, evenly spaced from the first to the last");
+        let all = format!("{frames} frames with one program; animated: {}", animation.keys.join(", "));
         let moments = self.scene.moments(0).len();
-        let blurred = (moments > 0)
-            .then(|| format!("{moments} moments a frame: the shutter is open for {} of it", animation.shutter));
+        let blurred = (moments > 0).then(|| {
+            format!("{moments} shutter samples per frame; the shutter is open for {} of the frame", animation.shutter)
+        });
         (checked < frames).then_some(some).into_iter().chain([all]).chain(blurred).collect()
     }
 }
@@ -185,7 +187,7 @@ struct GridOfLight {
 impl GridOfLight {
     fn words(&self) -> String {
         let Self { light, voxels: [x, y, z], paths, bytes } = self;
-        format!("light {light} (from 0): a grid of {x}×{y}×{z} voxels, {paths} paths, at least {bytes} bytes")
+        format!("lights[{light}]: photon grid of {x}×{y}×{z} voxels, {paths} paths, at least {bytes} bytes")
     }
 
     fn json(&self) -> Value {
@@ -198,22 +200,26 @@ impl GridOfLight {
 fn random_words(scene: &Scene) -> Vec<String> {
     let mut words = Vec::new();
     if scene.rays.paths.is_some() {
-        let lamps: Vec<_> = scene.lamps().iter().map(|lamp| lamp.object.to_string()).collect();
-        let lamps =
-            (!lamps.is_empty()).then(|| format!("{} lamps: objects {} (from 0)", lamps.len(), lamps.join(", ")));
-        let sky = scene.aims_at_sky().then(|| "the sky where it is bright".to_owned());
+        let lamps: Vec<_> = scene.lamps().iter().map(|lamp| format!("objects[{}]", lamp.object)).collect();
+        let plural = if lamps.len() == 1 { "" } else { "s" };
+        let lamps = (!lamps.is_empty()).then(|| format!("{} emitter{plural} ({})", lamps.len(), lamps.join(", ")));
+        let sky = scene.aims_at_sky().then(|| "the bright parts of the sky".to_owned());
         let aims: Vec<_> = lamps.into_iter().chain(sky).collect();
         words.push(if aims.is_empty() {
-            "paths aim at nothing: they find light by chance".to_owned()
+            "direct-light sampling: none, paths find light only by chance".to_owned()
         } else {
-            format!("paths aim at {}", aims.join("; and at "))
+            format!("direct-light sampling: {}", aims.join(" and "))
         });
         words.extend(guide_words(scene));
     } else if scene.has_lobes() {
-        words.push("rough surfaces: a direction a sample is drawn at random, and few samples are noisy".to_owned());
+        words.push(
+            "rough surfaces: each sample draws one random direction, so images with few samples are noisy".to_owned(),
+        );
     } else if scene.is_occluded() {
         words.push(
-            "ambient light: a line a sample is drawn at random, and few samples are noisy; 64 are smooth".to_owned(),
+            "ambient occlusion: each sample draws one random direction, so images with few samples are noisy; 64 \
+             samples are smooth"
+                .to_owned(),
         );
     }
     words.extend(dispersion_words(scene));
@@ -224,9 +230,12 @@ fn random_words(scene: &Scene) -> Vec<String> {
 fn dispersion_words(scene: &Scene) -> Option<String> {
     scene.disperses().then(|| {
         if scene.rays.paths.is_some() {
-            format!("dispersion: each path is of one wavelength, from {} to {} nm", VISIBLE.start(), VISIBLE.end())
+            format!("dispersion: each path has one wavelength, from {} to {} nm", VISIBLE.start(), VISIBLE.end())
         } else {
-            format!("dispersion: all light is of {} nm; on paths it is of all visible", scene.rays.wavelength)
+            format!(
+                "dispersion: all light has a wavelength of {} nm; path tracing uses all visible wavelengths",
+                scene.rays.wavelength
+            )
         }
     })
 }
@@ -234,12 +243,14 @@ fn dispersion_words(scene: &Scene) -> Option<String> {
 /// Describes path guiding, if it is used.
 fn guide_words(scene: &Scene) -> Option<String> {
     let beam = |beam: &Beam| match beam.through {
-        Some(object) => format!("from {} by {object}", beam.lamp.object),
-        None => format!("from {}", beam.lamp.object),
+        Some(object) => format!("objects[{}] via objects[{object}]", beam.lamp.object),
+        None => format!("objects[{}]", beam.lamp.object),
     };
     let beams: Vec<_> = scene.beams().iter().map(beam).collect();
-    let paths = scene.guide_grid().paths;
-    (!beams.is_empty()).then(|| format!("light guides them, {paths} paths of it each: {}", beams.join(", ")))
+    let (count, paths) = (beams.len(), scene.guide_grid().paths);
+    let plural = if count == 1 { "" } else { "s" };
+    (!beams.is_empty())
+        .then(|| format!("path guiding by {count} photon grid{plural} of {paths} paths: {}", beams.join(", ")))
 }
 
 /// Describes the acceleration structure that segments search, if there is one.
@@ -250,15 +261,17 @@ fn structure_words(geometry: &Geometry) -> Option<String> {
     Some(match grid {
         _ if items.is_empty() => return None,
         _ if places > 0 => format!(
-            "structure: {} items, of them {places} places of meshes that are kept once, of {triangles} triangles, in {} nodes",
+            "BVH: {} primitives, {places} of them mesh instances; {triangles} triangles, {} nodes",
             items.len(),
             geometry.nodes().count()
         ),
         Some(Grid { count: [x, y, z], .. }) => {
-            format!("structure: {x}×{y}×{z} cells with {} entries, of them {triangles} triangles", items.len())
+            format!("uniform grid: {x}×{y}×{z} cells, {} entries, {triangles} triangles", items.len())
         }
-        None if nodes.is_empty() => format!("structure: none, {} items, of them {triangles} triangles", items.len()),
-        None => format!("structure: {} items, of them {triangles} triangles, in {} nodes", items.len(), nodes.len()),
+        None if nodes.is_empty() => {
+            format!("no acceleration structure: {} primitives ({triangles} triangles)", items.len())
+        }
+        None => format!("BVH: {} primitives ({triangles} triangles), {} nodes", items.len(), nodes.len()),
     })
 }
 

@@ -59,7 +59,7 @@ impl Arguments {
                     let window = if target.band.is_some() { found.window } else { self.window(scene) };
                     file_difference(&found, &file_settings(scene, (&path, window), layers, metadata))
                 }
-                Err(_) => Some("it is no picture of this version of bentray".to_owned()),
+                Err(_) => Some("it is not an image from this version of bentray".to_owned()),
             };
             if let Some(why) = &why {
                 tell!("{} is rendered again: {why}", path.display());
@@ -90,7 +90,8 @@ impl Arguments {
         let Some(path) = &self.preview else { return Ok(()) };
         if still.image.adaptive.is_some() {
             return Err(usage!(
-                "--preview: an adaptive picture has none, for its pixels do not take their samples together"
+                "--preview cannot be combined with image.adaptive, because the pixels do not take their samples in \
+                 step"
             ));
         }
         drop(open(path, &file_settings(still, (path, window), layers, &[]))?);

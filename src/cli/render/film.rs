@@ -27,7 +27,7 @@ struct Finished<'a> {
 
 impl Found for Finished<'_> {
     fn text(&self) -> String {
-        format!("{}: {} frames, {} a second", self.path.display(), self.frames, self.rate)
+        format!("{}: {} frames, {} per second", self.path.display(), self.frames, self.rate)
     }
 
     fn json(&self) -> Value {
@@ -62,7 +62,10 @@ impl Arguments {
         self.films().try_for_each(|path| check_film(path, self.window(scene).size))?;
         for path in self.films().filter(|_| scene.is_transparent()) {
             if let Some(words) = alpha_in_film(path) {
-                tell!("warning: {} has no alpha: {words} (an animated .png keeps it)", path.display());
+                tell!(
+                    "warning: {} cannot store all alpha values: {words} (an animated .png keeps alpha)",
+                    path.display()
+                );
             }
         }
         let Some(folder) = self.frame_folder() else { return Ok(()) };

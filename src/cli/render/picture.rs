@@ -55,7 +55,7 @@ impl Found for Picture<'_> {
         let (totals, ready) = (&made.totals, made.ready.as_secs_f64());
         match self.target.frame {
             Some(frame) => lines.push(format!("frame {frame}: ready after {ready:.3} s; {totals}")),
-            None => lines.extend([format!("to repeat it: {}", made.again), totals.to_string()]),
+            None => lines.extend([format!("reproduce with: {}", made.again), totals.to_string()]),
         }
         lines.join("\n")
     }

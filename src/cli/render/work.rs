@@ -74,7 +74,8 @@ impl Work<'_> {
         let is_open = self.leading.animation.as_ref().is_some_and(|animation| animation.shutter > 0.0);
         if is_open && self.arguments.frames.is_some() && self.leading.image.samples == 1 {
             tell!(
-                "warning: the shutter is open, but one sample a pixel shows one moment: raise image.samples (--samples)"
+                "warning: the shutter is open, but one sample per pixel shows no motion blur: raise image.samples \
+                 (--samples)"
             );
         }
     }
@@ -99,10 +100,10 @@ impl Work<'_> {
         }
         drop(stage);
         if there > 0 {
-            tell!("{there} of {} were there already, made by the same", targets.len());
+            tell!("{there} of {} existed already, rendered with the same settings", targets.len());
         }
         if targets.iter().any(|target| target.frame.is_some()) {
-            tell!("to repeat it: {}", self.again);
+            tell!("reproduce with: {}", self.again);
         }
         Ok(unfollowed)
     }
@@ -233,8 +234,8 @@ fn expected(renderer: &mut Renderer, scene: &Scene, memory: u64) -> Result<Optio
     let least = if scene.image.adaptive.is_some() { "at least " } else { "" };
     let [device, plane] = [memory, 4 * u64::from(width) * u64::from(height)].map(HumanBytes);
     Ok(Some(format!(
-        "{width}×{height} pixels with {} samples, {rays} rays: {least}about {time}, with up to {device} of the device (--memory); \
-         uncompressed each channel of the picture takes {plane} of the disk",
+        "{width}×{height} pixels with {} samples, {rays} rays: {least}about {time}, up to {device} of device memory \
+         (--memory), and {plane} of disk space per channel (uncompressed)",
         scene.image.samples
     )))
 }

@@ -10,7 +10,7 @@ use super::{Frames, before_black};
 use crate::output::{AtomicFile, OutputError};
 
 /// The treatment of partially transparent pixels, which the format does not support.
-pub(super) const ALPHA: Option<&str> = Some("what is transparent in part is put before black");
+pub(super) const ALPHA: Option<&str> = Some("partly transparent pixels are blended with black");
 /// The number of ticks per second.
 const TICKS: f64 = 100.0;
 /// The sampling of pixels for the 256 colors, from 1 (all) to 30.

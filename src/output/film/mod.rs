@@ -32,7 +32,7 @@ struct Kind {
 }
 
 /// The treatment of transparent pixels by video.
-const BLACK: Option<&str> = Some("it is put before black");
+const BLACK: Option<&str> = Some("transparent pixels are blended with black");
 
 /// All formats.
 const KINDS: [Kind; 5] = [
