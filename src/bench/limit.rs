@@ -33,9 +33,9 @@ pub fn limit(bench: &Bench, scenes: &[(String, Scene)]) -> Result<Report, Render
              tests for their end, no objects. `fused` is its passes that advance; `whole` is everything from the camera to the \
              colour. Rays in straight space or in media with closed forms take no such steps."
                 .to_owned(),
-            "The shares are of passes: `setup` is the camera's rays and their storing, `segments` what the passes that advance take \
-             besides bare steps (ends, objects, the state's loading and storing, counting, the list), `shading` the surface, the \
-             light, the sky and the picture."
+            "The shares are of passes: `setup` is the camera rays and their storing, `segments` what the passes that \
+             advance take besides bare steps (ends, objects, the state's loading and storing, counting, the list), \
+             `shading` the surface, the light, the sky and the picture."
                 .to_owned(),
         ],
         tables: vec![ceilings(bench)?, table, shares],

@@ -113,7 +113,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Error> {
         }
     }
     if let Some(folder) = &arguments.output {
-        write_report(&folder.join("index.html"), "Bentray: measurements", &sections)?;
+        write_report(&folder.join("index.html"), "bentray: measurements", &sections)?;
     }
     Ok(())
 }
@@ -167,8 +167,8 @@ fn measure(bench: &Bench, name: Name, given: &Given) -> Result<Report, Error> {
         Name::Limit | Name::All => limit(bench, scenes)?,
         Name::Compaction => compaction(bench, scenes)?,
         Name::Start => {
-            let program =
-                std::env::current_exe().map_err(|cause| usage!("this program cannot be started again: {cause}"))?;
+            let program = std::env::current_exe()
+                .map_err(|cause| usage!("the benchmark cannot start another bentray process: {cause}"))?;
             start(bench, &program, &given.started)?
         }
     })
@@ -193,10 +193,12 @@ impl Given {
         let refused = |path: &PathBuf, problem: &str| Err(usage!("{}: {problem}", path.display()));
         match (paths.first(), meshes.as_slice()) {
             (Some(path), _) if !takes_scenes => {
-                refused(path, "only `limit`, `sampling`, `compaction` and `start` measure given scenes")
+                refused(path, "scene files can be given only for `limit`, `sampling`, `compaction` and `start`")
             }
-            (_, [path, ..]) if !names.contains(&Name::Groller) => refused(path, "only `groller` measures a given mesh"),
-            (_, [_, path, ..]) => refused(path, "`groller` measures one mesh"),
+            (_, [path, ..]) if !names.contains(&Name::Groller) => {
+                refused(path, "a mesh can be given only for `groller`")
+            }
+            (_, [_, path, ..]) => refused(path, "`groller` takes one mesh"),
             _ => Ok(()),
         }?;
         let read = |name: Name| Ok((name, read_scenes(name, &paths)?));

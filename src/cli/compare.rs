@@ -91,7 +91,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
         print(&chart)?;
         sections.push(write_chart(&arguments.output, &chart)?);
     }
-    write_report(&arguments.output.join("index.html"), "Bentray: speed against accuracy", &sections)?;
+    write_report(&arguments.output.join("index.html"), "bentray: speed against accuracy", &sections)?;
     Ok(ExitCode::SUCCESS)
 }
 
@@ -135,18 +135,19 @@ fn stability(arguments: &Arguments, paths: &[PathBuf]) -> Result<ExitCode, Error
     let csv: String = [&header].into_iter().chain(&rows).map(|row| row.join(",") + "\n").collect();
     AtomicFile::write_whole(&arguments.output.join("stability.csv"), csv.as_bytes())?;
     let intro = vec![
-        format!("Measured on {device}, each method at its default setting and at two finer ones."),
-        "Right: the end is the true one, within 1e-3. Given up: the ray itself says that it was not followed to an end. \
-         Over tolerance: steps beyond the tolerance were kept, as the 2004 rule does, and counted. Settings differ: a finer \
-         setting ends elsewhere, which shows that the coarser one is not to be trusted. Unresolved: two runs in 64 bits \
-         disagree. Silent: wrong, without a sign of it. Right until τ: the time up to which all rays of a flow are right."
+        format!("Measured on {device}, with each method at its default setting and at two finer settings."),
+        "Right: the end agrees with the reference solution within 1e-3. Given up: the ray reports that it did not \
+         reach an end. Over tolerance: steps beyond the tolerance were accepted, as by the rule of Weiskopf et al. \
+         (2004), and counted. Settings differ: a finer setting ends elsewhere, so the coarser setting is unreliable. \
+         Unresolved: two runs in 64 bits disagree. Silent: wrong, without any indication. Right until τ: the \
+         parameter up to which all rays of a flow are right."
             .to_owned(),
     ];
-    let table = ReportTable { caption: "Rays by what became of them".to_owned(), header, rows };
+    let table = ReportTable { caption: "Rays by outcome".to_owned(), header, rows };
     let section = Section { title: "Where methods fail".to_owned(), intro, images: Vec::new(), tables: vec![table] };
-    write_report(&arguments.output.join("stability.html"), "Bentray: stability", &[section])?;
+    write_report(&arguments.output.join("stability.html"), "bentray: stability", &[section])?;
     if silent > 0 {
-        tell!("{silent} rays are wrong without a sign of it");
+        tell!("{silent} rays end wrongly without any indication");
         return Ok(ExitCode::FAILURE);
     }
     Ok(ExitCode::SUCCESS)
@@ -162,9 +163,7 @@ fn are_methods<'a>(arguments: &Arguments, scenes: impl Iterator<Item = &'a Scene
     }
     let unknown = arguments.methods.iter().flatten().find(|name| !known.contains(&name.as_str()));
     match unknown {
-        Some(name) => {
-            Err(usage!("--methods: there is no `{name}` for these scenes; {}", suggest(name, &known, "methods")))
-        }
+        Some(name) => Err(usage!("--methods: no scene supports `{name}`; {}", suggest(name, &known, "methods"))),
         None => Ok(()),
     }
 }
@@ -184,13 +183,13 @@ fn scenes(arguments: &Arguments) -> Result<Vec<PathBuf>, Error> {
 
 /// Returns the scenes of a directory, ordered by name.
 pub(super) fn scenes_in(folder: &Path) -> Result<Vec<PathBuf>, Error> {
-    let missing = |error| usage!("{} holds no scenes: {error}; name the folder with --scenes", folder.display());
+    let missing = |error| usage!("no scenes in {}: {error}; give their folder with --scenes", folder.display());
     let entries = std::fs::read_dir(folder).map_err(missing)?;
     let mut paths: Vec<PathBuf> = entries.filter_map(|entry| Some(entry.ok()?.path())).collect();
     paths.retain(|path| path.extension().is_some_and(|extension| extension == "toml"));
     paths.sort();
     if paths.is_empty() {
-        return Err(usage!("{} holds no scenes; name the folder with --scenes", folder.display()));
+        return Err(usage!("no scenes in {}; give their folder with --scenes", folder.display()));
     }
     Ok(paths)
 }
@@ -210,14 +209,15 @@ fn print(chart: &SceneChart) -> Result<(), Error> {
 fn opening(device: &str, sweep: &Sweep) -> Section {
     let intro = vec![
         format!(
-            "Measured on {device}; each time is the median of {}, of the passes that advance and intersect, schedule `{}`.",
+            "Measured on {device}. Each time is the median of {} runs of the passes that advance and intersect, with \
+             schedule `{}`.",
             sweep.repeats,
             sweep.schedule.name()
         ),
-        "A curve is a method over its settings. Ringed points are on the front: nothing is both faster and more accurate. \
-         The error of a ray is the angle by which what it sees is off; a ray that ends on another object, or otherwise \
-         than the true one, is off by more than any bound."
+        "Each curve shows one method at several settings. Ringed points are on the Pareto front: no other point is \
+         both faster and more accurate. The error of a ray is the angle between its direction and that of the \
+         reference solution; a ray that ends on another object, or with another status, exceeds every bound."
             .to_owned(),
     ];
-    Section { title: "How this was measured".to_owned(), intro, images: Vec::new(), tables: Vec::new() }
+    Section { title: "Measurement conditions".to_owned(), intro, images: Vec::new(), tables: Vec::new() }
 }

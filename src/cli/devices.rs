@@ -41,7 +41,7 @@ fn words(adapter: &AdapterReport) -> String {
         ("driver", format!("{} {}", info.driver, info.driver_info)),
         ("largest texture", format!("{0} × {0}", adapter.texture_side)),
         ("largest buffer", format!("{} MiB", adapter.storage_buffer >> 20)),
-        ("storage textures", format!("{} a pass", adapter.storage_textures)),
+        ("storage textures", format!("{} per pass", adapter.storage_textures)),
         ("timestamps", yes(adapter.timestamps)),
         ("f64", yes(adapter.f64)),
     ];

@@ -53,10 +53,10 @@ impl Findings {
 
     fn cache(&self) -> String {
         match &self.cache {
-            None => "none: every render looks for its method anew".to_owned(),
+            None => "none: every render searches for its method again".to_owned(),
             Some((folder, true)) => folder.display().to_string(),
             Some((folder, false)) => {
-                format!("{} cannot be written: every render looks for its method anew", folder.display())
+                format!("{} is not writable: every render searches for its method again", folder.display())
             }
         }
     }
@@ -66,11 +66,11 @@ impl Found for Findings {
     fn text(&self) -> String {
         let devices = &self.devices.0;
         let video = if self.video {
-            "yes: .mp4 and .webm by ffmpeg"
+            "yes: .mp4 and .webm with ffmpeg"
         } else {
-            "no ffmpeg: films are .gif or animated .png; apt-get install ffmpeg brings .mp4 and .webm"
+            "no ffmpeg: only .gif and animated .png; install ffmpeg (apt-get install ffmpeg) for .mp4 and .webm"
         };
-        let queues = if self.queues.is_empty() { "no queue found here".to_owned() } else { self.queues.join(", ") };
+        let queues = if self.queues.is_empty() { "no queue found".to_owned() } else { self.queues.join(", ") };
         let rows = [
             ("device", Some(device(devices))),
             ("64 bits", double(devices)),
@@ -99,7 +99,7 @@ fn device(adapters: &[AdapterReport]) -> String {
     let Some(best) = adapters.first() else { return format!("none: {}", GpuError::NoDevice) };
     let more = match adapters.len() - 1 {
         0 => String::new(),
-        others => format!(", and {others} more: `bentray devices`"),
+        others => format!(", and {others} more (`bentray devices` lists them)"),
     };
     format!("{} ({:?}, {}){more}", best.info.name, best.info.device_type, best.info.backend)
 }
@@ -109,9 +109,11 @@ fn double(adapters: &[AdapterReport]) -> Option<String> {
     let best = adapters.first()?;
     let other = adapters.iter().find(|adapter| adapter.f64);
     Some(match other {
-        Some(_) if best.f64 => "yes: --precision f64, --verify and the best checks of `auto`".to_owned(),
-        Some(other) => format!("only on {0}: --precision f64 with --device '{0}'", other.info.name),
-        None => "no: --precision f64 and --verify cannot be had; Mesa's device on the processor has them".to_owned(),
+        Some(_) if best.f64 => "yes: --precision f64, --verify and the best checks of method = \"auto\"".to_owned(),
+        Some(other) => format!("only on {0}: use --precision f64 with --device '{0}'", other.info.name),
+        None => {
+            "no: --precision f64 and --verify are unavailable; Mesa's CPU device (lavapipe) supports them".to_owned()
+        }
     })
 }
 

@@ -58,6 +58,11 @@ impl Format {
     }
 }
 
+/// Returns a number with its noun, in the plural unless the number is 1.
+pub(super) fn counted((number, noun): (usize, &str)) -> String {
+    format!("{number} {noun}{}", if number == 1 { "" } else { "s" })
+}
+
 /// Returns a path for JSON; names that are not UTF-8 are shown as well as possible.
 pub(super) fn shown(path: impl AsRef<Path>) -> String {
     path.as_ref().display().to_string()

@@ -113,26 +113,31 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Error> {
 }
 
 fn positive(text: &str) -> Result<f64, String> {
-    number(text, |n| n > 0.0 && n <= 1e6).ok_or_else(|| format!("`{text}` is not a number above 0, at most 1e6"))
+    number(text, |n| n > 0.0 && n <= 1e6)
+        .ok_or_else(|| format!("expected a number > 0 and at most 1e6, found `{text}`"))
 }
 
 fn cells(text: &str) -> Result<f64, String> {
-    number(text, |n| n > 0.0 && n <= 1000.0).ok_or_else(|| format!("`{text}` is not a number above 0, at most 1000"))
+    number(text, |n| n > 0.0 && n <= 1000.0)
+        .ok_or_else(|| format!("expected a number > 0 and at most 1000, found `{text}`"))
 }
 
 fn part(text: &str) -> Result<f64, String> {
-    number(text, |n| n > 0.0 && n <= 1.0).ok_or_else(|| format!("`{text}` is not a number above 0, at most 1"))
+    number(text, |n| n > 0.0 && n <= 1.0).ok_or_else(|| format!("expected a number > 0 and at most 1, found `{text}`"))
 }
 
 fn beyond_one(text: &str) -> Result<f64, String> {
-    number(text, |n| n > 1.0 && n <= 1e6).ok_or_else(|| format!("`{text}` is not a number above 1, at most 1e6"))
+    number(text, |n| n > 1.0 && n <= 1e6)
+        .ok_or_else(|| format!("expected a number > 1 and at most 1e6, found `{text}`"))
 }
 
 /// Parses an angle for which a spiral can be drawn; very close to a circle, it would wind a thousand times.
 fn angle(text: &str) -> Result<f64, String> {
     let drawable = |n: f64| (0.0..360.0).contains(&n) && (n % 180.0 == 0.0 || n.to_radians().tan().abs() > 1e-3);
     number(text, drawable).ok_or_else(|| {
-        format!("`{text}` is not an angle from 0 to 360, at least 0.06 from 0 and 180 or these themselves")
+        format!(
+            "expected an angle from 0 to 360 degrees, either 0, 180 or at least 0.06 away from them, found `{text}`"
+        )
     })
 }
 

@@ -35,7 +35,8 @@ impl FromStr for Run {
     fn from_str(text: &str) -> Result<Self, String> {
         let wrong = || {
             format!(
-                "`{text}` are no frames such as 0..47 or 0-47 (with both ends), 12, all, or every second of them, 0..47:2"
+                "expected frames such as 0..47 or 0-47 (inclusive), 12, all, or 0..47:2 for every second frame, \
+                 found `{text}`"
             )
         };
         let (frames, step) = text.split_once(':').unwrap_or((text, "1"));
@@ -46,7 +47,7 @@ impl FromStr for Run {
         let (first, last) = frames.split_once("..").or_else(|| frames.split_once('-')).unwrap_or((frames, frames));
         match (first.trim().parse(), last.trim().parse()) {
             (Ok(first), Ok(last)) if first <= last => Ok(Self { ends: Some(first..=last), step }),
-            (Ok(first), Ok(last)) => Err(format!("`{text}`: a range goes up, from the lower end: {last}..{first}")),
+            (Ok(first), Ok(last)) => Err(format!("the range `{text}` is descending; use {last}..{first}")),
             _ => Err(wrong()),
         }
     }
@@ -57,7 +58,8 @@ impl Frames {
     pub(super) fn of(&self, scene: &Scene) -> Result<Vec<u32>, Error> {
         let Some(animation) = &scene.animation else {
             return Err(usage!(
-                "--frames: the scene has no [animation], such as `[animation] frames = 24`: `bentray help films`"
+                "--frames requires a scene with [animation], such as `[animation] frames = 24`; see `bentray help \
+                 films`"
             ));
         };
         let end = animation.frames - 1;
@@ -66,7 +68,7 @@ impl Frames {
             let run = ends.clone().unwrap_or(0..=end);
             if *run.end() > end {
                 let beyond = run.end();
-                return Err(usage!("--frames: there is no frame {beyond}: the scene's frames are 0..{end}"));
+                return Err(usage!("--frames: there is no frame {beyond}; the frames of the scene are 0..{end}"));
             }
             frames.extend(run.step_by(*step));
         }
@@ -107,10 +109,10 @@ mod tests {
             ["", "x", "1,", ",1", "1..", "..3", "-3", "1-2-3", "1..5:0", "1..5:x", "1..5:", "1:2:3", "1.5", "all,x"]
         {
             let problem = frames(wrong).unwrap_err();
-            assert!(problem.contains("are no frames such as 0..47"), "{wrong}: {problem}");
+            assert!(problem.contains("expected frames such as 0..47"), "{wrong}: {problem}");
         }
-        assert_eq!(frames("5..3"), Err("`5..3`: a range goes up, from the lower end: 3..5".to_owned()));
-        let beyond = "--frames: there is no frame 24: the scene's frames are 0..23";
+        assert_eq!(frames("5..3"), Err("the range `5..3` is descending; use 3..5".to_owned()));
+        let beyond = "--frames: there is no frame 24; the frames of the scene are 0..23";
         assert_eq!(frames("1,24"), Err(beyond.to_owned()));
         assert!(frames("0-4294967295").is_err());
     }

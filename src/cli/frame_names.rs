@@ -37,7 +37,8 @@ pub(super) fn path_of(path: &Path, frame: u32) -> PathBuf {
 /// Returns the bytes of the placeholder at the start of a text, and its number of digits; `None` if there is no placeholder.
 fn place(text: &str, is_in_name: bool) -> Result<Option<(usize, usize)>, String> {
     if let Some(inner) = text.strip_prefix('{') {
-        let wrong = |length: usize| format!("`{}` is not {{frame}} or {{frame:4}}", &text[..length]);
+        let wrong =
+            |length: usize| format!("`{}` is not a valid placeholder: use {{frame}} or {{frame:4}}", &text[..length]);
         let length = inner.find('}').ok_or_else(|| wrong(text.len()))?;
         let (word, width) = inner[..length].split_once(':').unwrap_or((&inner[..length], "0"));
         let width = width.trim().parse().ok().filter(|width| word.trim() == "frame" && *width <= WIDEST);
@@ -95,7 +96,11 @@ mod tests {
             ("a{frame.png", "`{frame.png`"),
             ("a{}.png", "`{}`"),
         ] {
-            assert_eq!(name(text), Err(format!("{wrong} is not {{frame}} or {{frame:4}}")), "{text}");
+            assert_eq!(
+                name(text),
+                Err(format!("{wrong} is not a valid placeholder: use {{frame}} or {{frame:4}}")),
+                "{text}"
+            );
         }
     }
 }

@@ -78,8 +78,8 @@ impl<'a> Film<'a> {
 
     /// Returns the scene's file and the files loaded for it, each with a description.
     pub(super) fn inputs(&self) -> Vec<(PathBuf, &'static str)> {
-        let own = self.files.borrow().paths().into_iter().map(|path| (path, "a file of the scene"));
-        std::iter::once((self.path.to_owned(), "the scene's own file")).chain(own).collect()
+        let own = self.files.borrow().paths().into_iter().map(|path| (path, "a file that the scene reads"));
+        std::iter::once((self.path.to_owned(), "the scene file")).chain(own).collect()
     }
 
     /// Builds the program of a frame, or reuses that of the previous frame.
@@ -140,10 +140,10 @@ impl<'a> Film<'a> {
             _ => true,
         };
         let named: Vec<String> = keys.iter().filter(changes).map(|key| format!("`{key}`")).collect();
-        let cause = if named.is_empty() { "several keys together".to_owned() } else { named.join(", ") };
+        let cause = if named.is_empty() { "several keys in combination".to_owned() } else { named.join(", ") };
         usage!(
-            "frame {frame} needs another program than frame {first}, because of {cause}: keep what is modelled the same, or \
-             render the frames from {frame} on by a command of their own"
+            "frame {frame} requires a different shader program than frame {first} because of {cause}: do not animate \
+             it this way, or render the frames from {frame} on with a separate command"
         )
     }
 }

@@ -47,8 +47,8 @@ pub(super) struct Before {
 impl Before {
     /// Reads an image that keeps its sums.
     pub(super) fn read(path: &Path) -> Result<Self, Error> {
-        let problem = "it keeps no sums to continue from: EXRs of pictures with lighting = \"path-tracing\" do, in the layers \
-                       `accumulated` and `luminance_m2`";
+        let problem = "it has no layers `accumulated` and `luminance_m2` to continue from; EXRs of images with lighting = \
+                       \"path-tracing\" have them";
         let none = || OutputError::Part { path: path.to_owned(), problem: problem.to_owned() };
         let (settings, band) = picture(path)?;
         let has_sums = SUMS.iter().all(|layer| settings.layers.contains(layer));
@@ -73,13 +73,13 @@ impl Before {
         if own.auto.is_none() && own.followed() != self.followed {
             let [followed, own] = [&self.followed, &own.followed()];
             return self.wrong(&format!(
-                "its rays are followed by {followed}, and this render's by {own}: leave the scene's method out, or render \
-                 anew"
+                "its integration method is {followed}, but this render uses {own}; remove the method from the scene, \
+                 or start a new render"
             ));
         }
         let made = origin(film, None, gpu, scene)?;
         if let Some(found) = difference([&self.settings.metadata, &made], &MAY_DIFFER) {
-            return self.wrong(&format!("{found}: only `samples` and [output] may differ"));
+            return self.wrong(&format!("{found}; only `samples` and [output] may differ"));
         }
         Ok(())
     }
@@ -88,27 +88,29 @@ impl Before {
     pub(super) fn check(&self, scene: &Scene, layers: &[Layer], window: Window) -> Result<(), Error> {
         let wrong = |problem: String| self.wrong(&problem);
         if self.samples == 1 {
-            return wrong("it has one sample a pixel, in the middle, where others do not begin".to_owned());
-        }
-        if scene.image.pattern == SamplePattern::MultiJittered {
             return wrong(
-                "multi-jittered samples are made for a number that is known beforehand: leave `sampler` out".to_owned(),
+                "it has one sample per pixel, at the center, which other renders do not use; start a new render"
+                    .to_owned(),
             );
         }
+        if scene.image.pattern == SamplePattern::MultiJittered {
+            return wrong("multi-jittered samples require a fixed number of samples; remove `sampler`".to_owned());
+        }
         if self.settings.window != window {
-            return wrong(format!("it shows the part {}, and this render {window}", self.settings.window));
+            return wrong(format!("it shows the window {}, but this render shows {window}", self.settings.window));
         }
         if self.samples >= scene.image.samples {
             let [has, more] = [self.samples, 2 * self.samples];
             let asked = scene.image.samples;
             return wrong(format!(
-                "it has {has} samples a pixel already, and {asked} are asked for: ask for more, as with --samples {more}"
+                "it has {has} samples per pixel already, and {asked} are requested; request more, such as --samples \
+                 {more}"
             ));
         }
         let missing = |layer: &&Layer| layer.is_of_a_ray() && !self.settings.layers.contains(layer);
         match layers.iter().find(missing) {
             Some(layer) => wrong(format!(
-                "it has no layer `{}`, which is of a pixel's first sample: leave it out of --layers",
+                "it has no layer `{}`, which stores the first sample of each pixel; remove it from --layers",
                 layer.name()
             )),
             None => Ok(()),

@@ -31,8 +31,9 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Error> {
     let tell_left_out = || imported.left_out.iter().for_each(|line| tell!("{line}"));
     if paths::is_standard(output) {
         if let Some((name, _)) = imported.pictures.first() {
-            let problem =
-                format!("-: pictures within the file, such as {name}, go beside the scene: name a file for it");
+            let problem = format!(
+                "-: embedded images such as {name} are written next to the scene, so the scene needs a file name"
+            );
             return Err(Error::Usage(problem));
         }
         say!("{}", imported.text.trim_end());
@@ -44,7 +45,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Error> {
     // The scene is the last file, so that its images exist before it does.
     let files: Vec<(PathBuf, &[u8])> = pictures.chain([(output.clone(), imported.text.as_bytes())]).collect();
     if let Some((path, _)) = files.iter().rev().find(|(path, _)| path.exists()) {
-        let problem = "this file exists; name another scene, or remove it first".to_owned();
+        let problem = "the file exists already; name another scene, or remove it first".to_owned();
         return Err(OutputError::Setting { path: path.clone(), problem }.into());
     }
     for (path, bytes) in &files {

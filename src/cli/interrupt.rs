@@ -28,7 +28,7 @@ pub(super) fn listen() {
 fn ask(signal: i32) {
     let first = ASKED.swap(signal, Ordering::SeqCst) == 0;
     if first && FRAMES.load(Ordering::SeqCst) > 0 {
-        tell!("{}: stopping after this frame; once more to stop at once", name(signal));
+        tell!("{}: stopping after this frame; send it again to stop immediately", name(signal));
         return;
     }
     // The lock keeps others from starting a file before the process is gone. The process exits at once: other cleanup would take the driver
@@ -79,15 +79,15 @@ fn words(signal: i32, unfinished: &[PathBuf]) -> String {
         let names: Vec<_> = unfinished.iter().map(|path| path.display().to_string()).collect();
         let is_one = names.len() == 1;
         let (verb, earlier) =
-            if is_one { ("was", "an earlier file of this name") } else { ("were", "earlier files of these names") };
+            if is_one { ("was", "an earlier file with this name") } else { ("were", "earlier files with these names") };
         let kept = if is_one { "is" } else { "are" };
-        parts.push(format!("{} {verb} not finished, and {earlier} {kept} unchanged", names.join(", ")));
+        parts.push(format!("{} {verb} not finished; {earlier} {kept} unchanged", names.join(", ")));
     } else if frames == 0 {
         parts.push("no file was being written".to_owned());
     }
     if frames > 0 {
         let done = DONE.load(Ordering::SeqCst);
-        parts.push(format!("{done} of {frames} frames are on disk, and the same command continues from there"));
+        parts.push(format!("{done} of {frames} frames are on disk; run the command again to continue"));
     }
     parts.join("; ")
 }

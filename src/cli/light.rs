@@ -5,6 +5,7 @@ use std::path::PathBuf;
 use glam::{DVec3, Vec4};
 
 use super::decisions::Rays;
+use super::format::counted;
 use super::frames::Film;
 use super::of_scene;
 use super::options::{DeviceFlags, SceneOptions};
@@ -39,12 +40,12 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Error> {
     let film = Film::new(&arguments.scene, arguments.changes.overrides()?).on(arguments.device.name());
     let scene = film.load(None)?;
     let mut inputs = film.inputs();
-    inputs.push((arguments.at.clone(), "the table of places"));
+    inputs.push((arguments.at.clone(), "the file of points"));
     paths::check([arguments.output.as_path()], &inputs)?;
     let lights: Vec<_> = scene.lights.iter().enumerate().filter(|(_, light)| light.shadows.follows_the_law()).collect();
     let shot = shot_lights(&scene);
     let Some((_, first)) = lights.first() else {
-        let problem = "the scene has no light with shadows = \"curved-rays\" or \"photon-grid\", and paths are found from such lights";
+        let problem = "this command requires a light with shadows = \"curved-rays\" or \"photon-grid\"";
         return Err(of_scene(&arguments.scene, problem));
     };
     let places: Vec<DVec3> = read_places(&arguments.at)?.into_iter().map(DVec3::from).collect();
@@ -80,7 +81,8 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Error> {
         tell!("{report}");
     }
     let found = found.iter().map(Vec::len).sum::<usize>();
-    tell!("{found} paths from {} lights to {} places", shot.len(), places.len());
+    let [paths, lights, points] = [(found, "path"), (shot.len(), "light"), (places.len(), "point")].map(counted);
+    tell!("{paths} from {lights} to {points}");
     warn(&totals);
     Ok(table.finish()?)
 }

@@ -34,7 +34,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Error> {
     }
     check_scene_name(path)?;
     if path.exists() {
-        let problem = "this file exists; name another, or remove it first".to_owned();
+        let problem = "the file exists already; name another file, or remove it first".to_owned();
         return Err(OutputError::Setting { path: path.clone(), problem }.into());
     }
     AtomicFile::write_whole(path, arguments.template.text.as_bytes())?;

@@ -52,7 +52,7 @@ impl Bits {
     }
 
     fn meaning(self) -> &'static str {
-        self.0.map_or("With the method: 64 bits where 32 do not reach the accuracy", Precision::meaning)
+        self.0.map_or("Chosen with the method: 64 bits if 32 bits do not reach the accuracy", Precision::meaning)
     }
 }
 
@@ -64,7 +64,7 @@ pub(super) fn one_of<T: Copy + Send + Sync + 'static>(
 ) -> impl TypedValueParser<Value = T> {
     let all: Vec<T> = all.into_iter().collect();
     let words: Vec<_> = all.iter().map(|one| PossibleValue::new(name(*one)).help(meaning(*one))).collect();
-    let read = move |word: String| all.iter().copied().find(|one| name(*one) == word).ok_or("there is no such word");
+    let read = move |word: String| all.iter().copied().find(|one| name(*one) == word).ok_or("unknown value");
     PossibleValuesParser::new(words).try_map(read)
 }
 
@@ -78,7 +78,7 @@ pub(super) fn parse_size(text: &str) -> Result<[u32; 2], String> {
     let in_range = |size: &[u32; 2]| size.iter().all(|side| (1..=65536).contains(side));
     parsed
         .filter(in_range)
-        .ok_or_else(|| format!("`{text}` is not a size such as 800x600, of 1 to 65536 pixels a side"))
+        .ok_or_else(|| format!("expected a size such as 800x600, with sides from 1 to 65536 pixels, found `{text}`"))
 }
 
 /// Parses the window `X,Y,WxH` of an image.
@@ -88,15 +88,14 @@ pub(super) fn parse_window(text: &str) -> Result<Window, String> {
         let (x, y, size) = (words.next()?.parse().ok()?, words.next()?.parse().ok()?, words.next()?);
         Some(Window { origin: [x, y], size: parse_size(size).ok()? })
     };
-    parsed().ok_or_else(|| {
-        format!("`{text}` is not a part such as 0,540,1920x270: its left column, its top row, and its width x height")
-    })
+    parsed()
+        .ok_or_else(|| format!("expected a window as LEFT,TOP,WIDTHxHEIGHT, such as 0,540,1920x270, found `{text}`"))
 }
 
 /// Parses a duration, in seconds.
 pub(super) fn parse_seconds(text: &str) -> Result<Duration, String> {
     let parsed = text.parse().ok().and_then(|seconds| Duration::try_from_secs_f64(seconds).ok());
-    parsed.ok_or_else(|| format!("`{text}` is not a number of seconds such as 30 or 0.5"))
+    parsed.ok_or_else(|| format!("expected a number of seconds such as 30 or 0.5, found `{text}`"))
 }
 
 /// Parses a number of bytes, with KiB, MiB, GiB or no unit.
@@ -106,7 +105,7 @@ pub(super) fn parse_bytes(text: &str) -> Result<u64, String> {
         let number = text.strip_suffix(unit)?.trim_end().parse::<u64>().ok()?;
         number.checked_mul(1 << shift)
     });
-    parsed.ok_or_else(|| format!("`{text}` is not an amount of memory such as 512MiB, 1GiB or 100000000"))
+    parsed.ok_or_else(|| format!("expected an amount of memory such as 512MiB, 1GiB or 100000000, found `{text}`"))
 }
 
 impl SceneOptions {
@@ -162,7 +161,7 @@ impl DeviceFlags {
     pub(super) fn check(&self) -> Result<(), Error> {
         match self.schedule.filter(|schedule| self.segments_per_pass.is_some() && !schedule.fuses()) {
             Some(schedule) => Err(usage!(
-                "--segments-per-pass is for --schedule fused: in `{}` a pass is never of several segments",
+                "--segments-per-pass requires --schedule fused; a pass of `{}` never has several segments",
                 schedule.name()
             )),
             None => Ok(()),
@@ -220,7 +219,7 @@ impl Opening {
     pub(super) fn finish(mut self) -> Result<Gpu, GpuError> {
         let stage = screen::progress().stage("opening the device");
         let opened = self.0.take().map(JoinHandle::join);
-        let lost = || Err(GpuError::Lost("it could not be opened".to_owned()));
+        let lost = || Err(GpuError::Lost("the device could not be opened".to_owned()));
         // A thread that panicked hit a bug in this code; the panic continues here.
         let gpu = opened.map_or_else(lost, |opened| opened.unwrap_or_else(|e| panic::resume_unwind(e)))?;
         drop(stage);

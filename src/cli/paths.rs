@@ -34,7 +34,7 @@ pub(super) fn file() -> impl TypedValueParser<Value = PathBuf> {
 
 /// The error for files that need a name.
 pub(super) const NO_STREAM: &str =
-    "this cannot be standard input or output: name a file (`./-` is one that is called -)";
+    "standard input and output are not supported here: name a file (`./-` for a file called -)";
 
 /// Rejects outputs that share a file, or that would overwrite an input. Each input comes with its description.
 pub(super) fn check<'a>(
@@ -43,7 +43,7 @@ pub(super) fn check<'a>(
 ) -> Result<(), Error> {
     let (streams, files): (Vec<_>, Vec<_>) = inputs.iter().partition(|(path, _)| is_standard(path));
     if let [(_, one), (_, other), ..] = streams[..] {
-        return Err(usage!("-: standard input cannot be {one} and {other}: name a file for one of them"));
+        return Err(usage!("-: standard input cannot be both {one} and {other}; name a file for one of them"));
     }
     let read: HashMap<PathBuf, &str> = files.into_iter().map(|(path, what)| (identity(path), *what)).collect();
     let mut written: HashMap<PathBuf, &Path> = HashMap::new();
@@ -51,11 +51,11 @@ pub(super) fn check<'a>(
         let own = identity(path);
         let shown = path.display();
         if let Some(what) = read.get(&own) {
-            return Err(usage!("{shown}: this is {what}, which would be lost: name another file"));
+            return Err(usage!("{shown} is {what} and would be overwritten: name another file"));
         }
         if let Some(other) = written.insert(own, path) {
-            let other = if other == path { String::new() } else { format!(" as {}", other.display()) };
-            return Err(usage!("{shown} is named twice{other}: a file holds one thing"));
+            let other = if other == path { String::new() } else { format!(" (also as {})", other.display()) };
+            return Err(usage!("{shown} is used for two outputs{other}: name another file"));
         }
     }
     Ok(())

@@ -54,11 +54,11 @@ pub(super) fn share(variables: Variables, asked: Option<u32>) -> Result<Share, S
         [(queue, own)] => queue.share(own, variables, asked).map_err(|problem| format!("--part auto: {problem}")),
         [] => {
             let names: Vec<_> = QUEUES.iter().map(Queue::named).collect();
-            Err(format!("--part auto: none of these variables is set: {}; or write --part 3/64", names.join(", ")))
+            Err(format!("--part auto requires one of the variables {}; or use --part 3/64", names.join(", ")))
         }
         _ => {
             let names: Vec<_> = there.iter().map(|(queue, _)| queue.named()).collect();
-            Err(format!("--part auto: {} number this job in different ways: write --part 3/64", names.join(" and ")))
+            Err(format!("--part auto: {} disagree about the number of this job; use --part 3/64", names.join(" and ")))
         }
     }
 }
@@ -66,7 +66,7 @@ pub(super) fn share(variables: Variables, asked: Option<u32>) -> Result<Share, S
 /// Returns the number in a variable; `None` if the variable is unset, or has the value that SGE sets outside an array.
 fn number(variables: Variables, name: &str) -> Result<Option<u32>, String> {
     let Some(text) = variables(name).filter(|text| !text.is_empty() && text != "undefined") else { return Ok(None) };
-    text.trim().parse().map(Some).map_err(|_| format!("--part auto: {name} is `{text}`, which is not a whole number"))
+    text.trim().parse().map(Some).map_err(|_| format!("--part auto: expected a whole number in {name}, found `{text}`"))
 }
 
 impl Queue {
@@ -89,13 +89,12 @@ impl Queue {
 
     fn share(&self, own: u32, variables: Variables, asked: Option<u32>) -> Result<Share, String> {
         let name = self.name;
-        let unsaid =
-            || format!("{name} does not say how many parts there are: write --part auto/64, with their number");
+        let unsaid = || format!("{name} does not provide the number of parts; use --part auto/64 with their number");
         match self.numbers {
             Numbers::From(first, size) => {
                 let size = size.map_or(Ok(None), |size| number(variables, size))?;
                 if let Some((size, asked)) = size.zip(asked).filter(|(size, asked)| size != asked) {
-                    return Err(format!("{name} runs {size} jobs, and {asked} parts are asked for: write --part auto"));
+                    return Err(format!("{name} runs {size} jobs, but {asked} parts are requested; use --part auto"));
                 }
                 self.counted(own, first, asked.or(size).ok_or_else(unsaid)?)
             }
@@ -121,9 +120,9 @@ impl Queue {
                 match place.filter(|place| is_range && *place < jobs) {
                     Some(number) => Ok(Share { number, count: jobs }),
                     None => Err(format!(
-                        "{name} runs {said} jobs from {first} to {last} in steps of {step} as it says, and this one is {own}: \
-                         the place of a job in a list is not known. Number the jobs from 1 to {said}, or write --part 3/64, or \
-                         --part auto/64 if each number is the part's, from 1"
+                        "{name} reports {said} jobs from {first} to {last} in steps of {step}, and this job is \
+                         {own}, so its position is unknown; number the jobs from 1 to {said}, or use --part 3/64, or \
+                         --part auto/64 if the jobs have the numbers of the parts, from 1"
                     )),
                 }
             }
@@ -136,7 +135,7 @@ impl Queue {
         number.map(|number| Share { number, count }).ok_or_else(|| {
             let last = u64::from(first) + u64::from(count) - 1;
             format!(
-                "{} has a job with the number {own} ({}), and {count} parts are counted from {first} to {last}",
+                "{} has a job with the number {own} ({}), but the {count} parts are numbered from {first} to {last}",
                 self.name, self.number
             )
         })
@@ -174,11 +173,11 @@ mod tests {
         let few = [("SLURM_ARRAY_TASK_ID", 3), ("SLURM_ARRAY_TASK_MIN", 1), ("SLURM_ARRAY_TASK_MAX", 64)];
         assert_eq!(auto(&few, None), Ok((2, 64)));
         assert_eq!(auto(&[("JOB_COMPLETION_INDEX", 0)], Some(5)), Ok((0, 5)));
-        assert!(auto(&[("JOB_COMPLETION_INDEX", 0)], None).unwrap_err().contains("write --part auto/64"));
+        assert!(auto(&[("JOB_COMPLETION_INDEX", 0)], None).unwrap_err().contains("use --part auto/64"));
         let batch = [("AWS_BATCH_JOB_ARRAY_INDEX", 4), ("AWS_BATCH_JOB_ARRAY_SIZE", 5)];
         assert_eq!(auto(&batch, None), Ok((4, 5)));
         assert_eq!(auto(&batch, Some(5)), Ok((4, 5)));
-        assert!(auto(&batch, Some(9)).unwrap_err().contains("runs 5 jobs, and 9 parts are asked for"));
+        assert!(auto(&batch, Some(9)).unwrap_err().contains("runs 5 jobs, but 9 parts are requested"));
         assert_eq!(auto(&[("PBS_ARRAY_INDEX", 5)], Some(5)), Ok((4, 5)));
         assert!(auto(&[("PBS_ARRAY_INDEX", 6)], Some(5)).unwrap_err().contains("from 1 to 5"));
         assert_eq!(auto(&[("PBS_ARRAYID", 5)], Some(5)), Ok((4, 5)));
@@ -194,7 +193,7 @@ mod tests {
         for id in 0..4 {
             let problem = auto(&slurm(id, &[0, 1, 2, 3], 1), Some(4)).unwrap_err();
             assert!(
-                problem.contains("number 0 (SLURM_ARRAY_TASK_ID), and 4 parts are counted from 1 to 4"),
+                problem.contains("number 0 (SLURM_ARRAY_TASK_ID), but the 4 parts are numbered from 1 to 4"),
                 "{problem}"
             );
             assert!(auto(&slurm(id, &[0, 1, 2, 3, 4], 1), Some(4)).is_err());
@@ -205,7 +204,7 @@ mod tests {
     fn lists_whose_order_is_unknown_are_refused() {
         for (id, step) in [(1, 1), (4, 1), (9, 1), (1, 3), (4, 3), (9, 3), (4, 4)] {
             let problem = auto(&slurm(id, &[1, 4, 9], step), None).unwrap_err();
-            assert!(problem.contains("Number the jobs from 1 to 3, or write --part 3/64"), "{problem}");
+            assert!(problem.contains("number the jobs from 1 to 3, or use --part 3/64"), "{problem}");
         }
         // Jobs between two steps, or beyond the last.
         assert!(auto(&slurm(3, &[0, 2, 4], 2), None).is_err());
@@ -219,9 +218,13 @@ mod tests {
             let (name, text) = (name.to_owned(), text.to_owned());
             share(&|asked: &str| (asked == name).then(|| text.clone()), Some(3)).map(|share| share.number)
         };
-        assert!(set("SLURM_ARRAY_TASK_ID", "1-3").unwrap_err().contains("SLURM_ARRAY_TASK_ID is `1-3`"));
+        assert!(
+            set("SLURM_ARRAY_TASK_ID", "1-3")
+                .unwrap_err()
+                .contains("expected a whole number in SLURM_ARRAY_TASK_ID, found `1-3`")
+        );
         // SGE sets this in a job outside an array.
-        assert!(set("SGE_TASK_ID", "undefined").unwrap_err().contains("none of these variables is set"));
+        assert!(set("SGE_TASK_ID", "undefined").unwrap_err().contains("--part auto requires one of the variables"));
         assert_eq!(set("SGE_TASK_ID", "2"), Ok(1));
         let two = [("PARALLEL_SEQ", 1), ("PBS_ARRAY_INDEX", 2)];
         let problem = auto(&two, Some(3)).unwrap_err();

@@ -26,7 +26,7 @@ impl FromStr for Part {
     type Err = String;
 
     fn from_str(text: &str) -> Result<Self, String> {
-        let wrong = || format!("`{text}` is no part such as 3/64 (from 1), auto/64 or auto");
+        let wrong = || format!("expected a part such as 3/64 (from 1), auto/64 or auto, found `{text}`");
         let (number, count) = text.split_once('/').map_or((text, None), |(number, count)| (number, Some(count)));
         let count = count.map(|count| count.parse().ok().filter(|count| *count > 0).ok_or_else(wrong)).transpose()?;
         if number == "auto" {

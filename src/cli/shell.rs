@@ -35,7 +35,7 @@ pub(super) fn man(arguments: &Man, cli: &Command) -> Result<(), Error> {
         None => clap_mangen::Man::new(cli.clone()),
         Some(name) => {
             let found = cli.find_subcommand(name).cloned();
-            let unknown = || usage!("there is no command `{name}`: `bentray help` lists them");
+            let unknown = || usage!("unknown command `{name}`: run `bentray help` for a list");
             let full = format!("{} {name}", cli.get_name());
             clap_mangen::Man::new(found.ok_or_else(unknown)?.bin_name(full.clone())).title(full.replace(' ', "-"))
         }

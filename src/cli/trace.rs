@@ -70,7 +70,7 @@ fn parse_pixel(text: &str) -> Result<[u32; 2], String> {
         let (x, y) = text.split_once(',')?;
         Some([x.trim().parse().ok()?, y.trim().parse().ok()?])
     };
-    parsed().ok_or_else(|| format!("`{text}` is not a pixel such as 320,240: its column and its row"))
+    parsed().ok_or_else(|| format!("expected a pixel as COLUMN,ROW, such as 320,240, found `{text}`"))
 }
 
 pub(super) fn run(arguments: &Arguments) -> Result<(), Error> {
@@ -79,17 +79,17 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Error> {
     let film = Film::new(&arguments.scene, arguments.changes.overrides()?).on(arguments.device.name());
     let scene = film.load(None)?;
     if arguments.drift && scene.rays.asymptotic {
-        return Err(usage!("--drift compares a ray's two ends, and with rays.sky_at_infinity they lie at infinity"));
+        return Err(usage!("--drift cannot be combined with rays.sky_at_infinity, because rays then end at infinity"));
     }
     if arguments.diagram.attractor.is_some() && scene.law.facts().ignores_direction.is_none() {
-        return Err(usage!("--attractor is of flows, such as lorenz, and this scene's law is none"));
+        return Err(usage!("--attractor requires a flow such as law.kind = \"lorenz\""));
     }
     if let Some([x, y]) = arguments.pixel.iter().find(|[x, y]| *x >= scene.image.size[0] || *y >= scene.image.size[1]) {
         let [width, height] = scene.image.size;
-        return Err(usage!("pixel {x},{y} is not in the picture of {width} by {height} pixels"));
+        return Err(usage!("pixel {x},{y} is outside the image of {width}x{height} pixels"));
     }
     let mut inputs = film.inputs();
-    inputs.extend(arguments.rays.clone().map(|rays| (rays, "the table of rays")));
+    inputs.extend(arguments.rays.clone().map(|rays| (rays, "the file of rays")));
     paths::check(arguments.output.iter().chain(&arguments.plot).map(PathBuf::as_path), &inputs)?;
     for words in &scene.left_out {
         tell!("warning: {words}");
@@ -171,7 +171,7 @@ impl Starts {
         pixels: &[[u32; 2]],
     ) -> Result<(), Error> {
         if !pixels.is_empty() {
-            self.groups.push(Group { name: "the camera's rays".to_owned(), count: pixels.len() });
+            self.groups.push(Group { name: "the camera rays".to_owned(), count: pixels.len() });
             self.rays.extend(pixel_starts(gpu, scene, settings, pixels)?);
         }
         Ok(())
@@ -201,7 +201,7 @@ fn print_drift(scene: &Scene, rays: &[[f64; 6]], traced: &[Traced]) {
     };
     let found = drift(&*scene.law, rays.iter().map(|ray| start(*ray)).zip(traced));
     if found.is_empty() {
-        tell!("the law keeps nothing that could drift, or no ray came to an end");
+        tell!("no drift to report: the law has no constants of motion, or no ray ended");
         return;
     }
     tell!("{:<18}{:>12}{:>12}{:>12}", "relative drift", "median", "99 %", "max");

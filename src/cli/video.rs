@@ -24,7 +24,7 @@ pub(super) struct Arguments {
 
 fn parse_rate(text: &str) -> Result<f64, String> {
     let rate = text.parse().ok().filter(|rate| (0.1..=1000.0).contains(rate));
-    rate.ok_or_else(|| format!("`{text}` is not a number of frames a second, from 0.1 to 1000"))
+    rate.ok_or_else(|| format!("expected a number of frames per second from 0.1 to 1000, found `{text}`"))
 }
 
 pub(super) fn run(arguments: &Arguments) -> Result<(), Error> {

@@ -42,7 +42,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Error> {
     let program = Program::new(&scene, &geometry.analysis, &choice, geometry.extent())?;
     let names: Vec<_> = program.passes.iter().map(|(pass, _, _)| pass.entry()).collect();
     if let Some(wanted) = arguments.pass.as_deref().filter(|wanted| !names.contains(wanted)) {
-        return Err(usage!("this program has no pass `{wanted}`; it has {}", names.join(", ")));
+        return Err(usage!("unknown pass `{wanted}`; the passes of this program are {}", names.join(", ")));
     }
     for (pass, linked, _) in &program.passes {
         if arguments.pass.as_deref().is_none_or(|wanted| wanted == pass.entry()) {

@@ -11,8 +11,7 @@ pub(super) fn check_scene_name(path: &Path) -> Result<(), Error> {
     if !is_film(path) && !["png", "exr"].iter().any(|end| has_extension(path, end)) {
         return Ok(());
     }
-    let problem =
-        "a scene is written, not a picture of it: give it a name such as scene.toml, and render that".to_owned();
+    let problem = "this command writes a scene, not an image; use a name such as scene.toml, then render it".to_owned();
     Err(OutputError::Setting { path: path.to_owned(), problem }.into())
 }
 

@@ -159,7 +159,7 @@ fn what_is_no_scene_and_no_file_is_refused() {
 #[test]
 fn scenes_that_are_written_have_names_of_scenes() {
     let folder = Folder::with(BALL);
-    folder.run("new a.png").fails(1, &["a.png: a scene is written, not a picture of it"]);
+    folder.run("new a.png").fails(1, &["a.png: this command writes a scene, not an image"]);
     let said = folder.run("new my$scene.toml").succeeds();
     assert!(said.out.contains("`bentray render 'my$scene.toml' -o picture.png`"), "{}", said.out);
 }

@@ -11,9 +11,12 @@ fn usage_errors_exit_with_2() {
         ("render scene.toml", &["--output <FILE>"]),
         ("render -o a.png", &["<SCENE>"]),
         ("render scene.toml -o a.png --frob", &["'--frob'"]),
-        ("render scene.toml -o a.png --size 10", &["`10` is not a size such as 800x600"]),
-        ("render scene.toml -o a.png --size 10x", &["`10x` is not a size"]),
-        ("render scene.toml -o a.png --size=-1x4", &["`-1x4` is not a size"]),
+        (
+            "render scene.toml -o a.png --size 10",
+            &["expected a size such as 800x600, with sides from 1 to 65536 pixels, found `10`"],
+        ),
+        ("render scene.toml -o a.png --size 10x", &["found `10x`"]),
+        ("render scene.toml -o a.png --size=-1x4", &["found `-1x4`"]),
         ("render scene.toml -o a.png --samples many", &["'many'", "--samples"]),
         ("render scene.toml -o a.png --schedule quick", &["'quick'", "paper, segment, fused"]),
         ("render scene.toml -o a.png --layers depth,colour", &["'colour'", "position"]),
@@ -38,7 +41,7 @@ fn segments_a_pass_are_for_passes_of_several() {
     let folder = Folder::with(BALL);
     for schedule in ["paper", "segment"] {
         let flags = format!("--schedule {schedule} --segments-per-pass 3");
-        let texts = ["--segments-per-pass is for --schedule fused", schedule];
+        let texts = ["--segments-per-pass requires --schedule fused", schedule];
         folder.run(&format!("render scene.toml -o a.png {flags}")).fails(1, &texts);
     }
     folder.run("render scene.toml -o a.png --schedule fused --segments-per-pass 3").succeeds();
@@ -50,14 +53,14 @@ fn a_chart_is_of_methods_that_there_are() {
     for places in ["scene.toml", "--stability --scenes ."] {
         std::fs::write(folder.path("scene.csv"), "x,y,z,vx,vy,vz\n0,0,5,0,0,-1\n").unwrap();
         let ran = folder.run(&format!("compare {places} -o chart --methods rk4,exat"));
-        ran.fails(1, &["--methods: there is no `exat` for these scenes; did you mean `exact`? methods: "]);
+        ran.fails(1, &["--methods: no scene supports `exat`; did you mean `exact`? methods: "]);
     }
     assert!(!folder.path("chart").exists());
 }
 
 #[test]
 fn frames_are_of_an_animation() {
-    let texts = ["--frames: the scene has no [animation]", "bentray help films"];
+    let texts = ["--frames requires a scene with [animation]", "bentray help films"];
     Folder::with(BALL).run("render scene.toml -o a_{frame}.png --frames all").fails(1, &texts);
 }
 

@@ -99,9 +99,9 @@ fn scenes_are_for_some() {
     let folder = Folder::with(BALL);
     folder
         .run("bench paper scene.toml")
-        .fails(1, &["scene.toml: only `limit`, `sampling`, `compaction` and `start` measure given scenes"]);
+        .fails(1, &["scene.toml: scene files can be given only for `limit`, `sampling`, `compaction` and `start`"]);
     folder.run("bench limit missing.toml").fails(1, &["missing.toml"]);
-    folder.run("bench paper mesh.obj").fails(1, &["mesh.obj: only `groller` measures a given mesh"]);
-    folder.run("bench groller one.obj two.obj").fails(1, &["two.obj: `groller` measures one mesh"]);
+    folder.run("bench paper mesh.obj").fails(1, &["mesh.obj: a mesh can be given only for `groller`"]);
+    folder.run("bench groller one.obj two.obj").fails(1, &["two.obj: `groller` takes one mesh"]);
     folder.run("bench groller missing.obj").fails(1, &["missing.obj"]);
 }

@@ -150,7 +150,9 @@ fn a_new_scene_is_right_and_replaces_nothing() {
     folder.run("check mine.toml").succeeds();
     folder.run("render mine.toml -o a.png --size 16x12 --samples 1 --strict").succeeds();
     folder.write("mine.toml", "my own words");
-    folder.run("new mine.toml").fails(1, &["mine.toml: this file exists; name another, or remove it first"]);
+    folder
+        .run("new mine.toml")
+        .fails(1, &["mine.toml: the file exists already; name another file, or remove it first"]);
     assert_eq!(folder.text("mine.toml"), "my own words");
     assert_eq!(folder.names(), ["a.png", "mine.toml"]);
 }
@@ -236,7 +238,7 @@ fn shells_man_and_doctors_are_served() {
     }
     let page = folder.run("man render").succeeds().out;
     assert!(page.contains(".TH bentray-render 1") && page.contains("\\-\\-frames"), "{page}");
-    folder.run("man nothing").fails(1, &["there is no command `nothing`: `bentray help` lists them"]);
+    folder.run("man nothing").fails(1, &["unknown command `nothing`: run `bentray help` for a list"]);
     let said = folder.run("doctor").succeeds().out;
     for line in ["device       ", "64 bits      ", "video        ", "cache        none: every render", "farm         "]
     {

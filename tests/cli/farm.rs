@@ -31,11 +31,11 @@ fn parts_of_a_film_come_together_to_the_byte() {
         std::fs::remove_file(folder.path(name)).unwrap();
     }
     let wrote = folder.run(&format!("farm slurm {job} --parts 5 --sbatch=--time=5")).succeeds();
-    assert!(wrote.out.contains("submit them by `bash scene.farm/submit.sh`"), "{}", wrote.out);
+    assert!(wrote.out.contains("submit with `bash scene.farm/submit.sh`"), "{}", wrote.out);
     let parts = folder.text("scene.farm/parts.sh");
     assert!(parts.contains("#SBATCH --array=1-5\n") && parts.contains("#SBATCH --time=5\n"), "{parts}");
     let status = |more: &str| folder.run(&format!("farm status {job} --parts 5 {more}")).succeeds().out;
-    assert_eq!(status(""), "0 of 5 parts are done\nnot begun: 5 (1-5)\n");
+    assert_eq!(status(""), "0 of 5 parts are done\nnot started: 5 (1-5)\n");
     let run = |part: &str| script(&folder, "scene.farm/parts.sh", &[("SLURM_ARRAY_TASK_ID", part)]);
     for part in ["1", "2", "3", "5"] {
         assert_eq!(run(part).code, Some(0));
@@ -45,15 +45,15 @@ fn parts_of_a_film_come_together_to_the_byte() {
     assert!(said.starts_with("4 of 5 parts are done\nfailed: 1 (4)\npart 4: error: --part auto: Slurm"), "{said}");
     assert!(status("--set sky.color=[0,0,1]").starts_with("0 of 5 parts are done\n"));
     let finish = |more: &str| folder.run(&format!("farm finish {job} --parts 5 {more}"));
-    finish("").fails(1, &["1 of 5 parts are missing, or of another scene: 4; run them again"]);
+    finish("").fails(1, &["1 of 5 parts are missing or belong to another scene: 4; run them again"]);
     assert_eq!(run("4").code, Some(0));
     assert!(run("4").err.lines().all(|line| !line.contains(" rays, ")), "rendered again");
     let finished = script(&folder, "scene.farm/finish.sh", &[]);
-    assert_eq!((finished.code, finished.out.as_str()), (Some(0), "3 pictures, all there and of the same render\n"));
+    assert_eq!((finished.code, finished.out.as_str()), (Some(0), "3 images, all present and consistent\n"));
     assert!(names.map(|name| folder.read(name)) == at_once);
     assert_eq!(status(""), "5 of 5 parts are done\n");
     // Files of another scene are not taken for parts of this one.
-    finish("--set sky.color=[0,0,1]").fails(1, &["5 of 5 parts are missing, or of another scene: 1-5"]);
+    finish("--set sky.color=[0,0,1]").fails(1, &["5 of 5 parts are missing or belong to another scene: 1-5"]);
 }
 
 #[test]

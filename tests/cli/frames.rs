@@ -110,7 +110,7 @@ fn a_frame_of_another_program_names_the_key_before_any_is_rendered() {
     let stretched =
         "[[animation.tracks]]\nkey = \"objects.0.scale\"\nvalues = [[1, 1, 1], [1, 2, 1]]\nkeyframes = [1, 2]\n";
     folder.write("scene.toml", folder.text("scene.toml") + stretched);
-    let message = "frame 2 needs another program than frame 0, because of `objects.0.scale`: ";
+    let message = "frame 2 requires a different shader program than frame 0 because of `objects.0.scale`: ";
     let ran = folder.run("render scene.toml -o {frame}.png --frames all");
     assert_eq!(ran.code, Some(1));
     ran.says(&[message]);
@@ -138,8 +138,8 @@ fn frames_that_cannot_be_are_refused() {
         ),
         ("-o {frame:x}.png --frames 1", 1, "{frame:x}.png: `{frame:x}` is not {frame} or {frame:4}"),
         ("-o a_{n}.png --frames 1", 1, "a_{n}.png: `{n}` is not {frame} or {frame:4}"),
-        ("-o {frame}.png --frames 3..5", 1, "--frames: there is no frame 5: the scene's frames are 0..4"),
-        ("-o {frame}.png --frames 3..2", 2, "`3..2`: a range goes up, from the lower end: 2..3"),
+        ("-o {frame}.png --frames 3..5", 1, "--frames: there is no frame 5; the frames of the scene are 0..4"),
+        ("-o {frame}.png --frames 3..2", 2, "the range `3..2` is descending; use 2..3"),
         ("-o {frame}.png --frames 1 --verify 9", 2, "'--verify <N>'"),
         ("-o {frame}.png --frames 1 --set law.mass=1", 1, "--set law.mass=1:1:10: `law.mass` is animated"),
         (
@@ -154,7 +154,9 @@ fn frames_that_cannot_be_are_refused() {
     }
     assert_eq!(folder.names(), ["scene.toml"]);
     let still = Folder::with(BALL);
-    still.run("render scene.toml -o {frame}.png --frames all").fails(1, &["--frames: the scene has no [animation]"]);
+    still
+        .run("render scene.toml -o {frame}.png --frames all")
+        .fails(1, &["--frames requires a scene with [animation]"]);
 }
 
 /// Frames of a list are those of the film, divided among parts, and rendered once; every place in a name has the number.

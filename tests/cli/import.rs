@@ -94,10 +94,10 @@ fn nothing_is_replaced_and_a_wrong_file_leaves_nothing() {
     folder.write("new-sign.png", "mine");
     folder
         .run("import room.glb -o new.toml")
-        .fails(1, &["new-sign.png: this file exists; name another scene, or remove it first"]);
+        .fails(1, &["new-sign.png: the file exists already; name another scene, or remove it first"]);
     assert_eq!((folder.text("new-sign.png"), folder.names().len()), ("mine".to_owned(), 2));
     folder.write("new.toml", "mine");
-    folder.run("import room.glb -o new.toml").fails(1, &["new.toml: this file exists"]);
+    folder.run("import room.glb -o new.toml").fails(1, &["new.toml: the file exists already"]);
     folder.write("cut.glb", &file()[..500]);
     folder
         .run("import cut.glb -o cut.toml")

@@ -89,7 +89,7 @@ fn a_render_that_is_asked_to_end_leaves_nothing_behind() {
         let mut rest = String::new();
         lines.read_to_string(&mut rest).unwrap();
         let line = format!(
-            "stopped by SIG{signal}; a.exr, a.png were not finished, and earlier files of these names are unchanged\n"
+            "stopped by SIG{signal}; a.exr, a.png were not finished; earlier files with these names are unchanged\n"
         );
         assert!(rest.ends_with(&line), "{signal}: {rest}");
         assert_eq!(folder.names(), ["a.png", "scene.toml"], "{signal}: {rest}");
@@ -126,13 +126,14 @@ fn a_film_that_is_asked_to_end_finishes_the_frame_in_hand() {
     send("INT", &child.0);
     let rest: Vec<String> = lines.collect();
     assert_eq!(child.0.wait().unwrap().code(), Some(130));
-    assert!(rest.iter().any(|line| line == "SIGINT: stopping after this frame; once more to stop at once"), "{rest:?}");
+    assert!(
+        rest.iter().any(|line| line == "SIGINT: stopping after this frame; send it again to stop immediately"),
+        "{rest:?}"
+    );
     let frames = ending(&folder, ".png");
     assert!((2..400).contains(&frames.len()), "{frames:?}");
-    let there = format!(
-        "stopped by SIGINT; {} of 500 frames are on disk, and the same command continues from there",
-        frames.len()
-    );
+    let there =
+        format!("stopped by SIGINT; {} of 500 frames are on disk; run the command again to continue", frames.len());
     assert!(rest.contains(&there), "{rest:?}");
     assert_eq!(frames.len() + 1, folder.names().len(), "{:?}", folder.names());
     // Each is a picture.

@@ -12,7 +12,7 @@ fn paths_from_lights_are_listed() {
     let folder = Folder::with(HOLE);
     folder.write("places.csv", "x,y,z\n-6,7,2\n-6,-7,2\n");
     let ran =
-        folder.run("light scene.toml --at places.csv -o -").succeeds().says(&["4 paths from 1 lights to 2 places"]);
+        folder.run("light scene.toml --at places.csv -o -").succeeds().says(&["4 paths from 1 light to 2 points"]);
     let lines: Vec<&str> = ran.out.lines().collect();
     assert_eq!(lines[0], "place,light,status,leaves_x,leaves_y,leaves_z,arrives_x,arrives_y,arrives_z,spread");
     assert_eq!(lines.len(), 5, "{}", ran.out);
@@ -41,7 +41,7 @@ fn what_cannot_be_lit_is_said() {
         .run("light scene.toml --at rays.csv -o -")
         .fails(1, &["rays.csv: line 1", "`vx` is not a column of a places file"]);
     folder.write("scene.toml", HOLE.replace("\"curved-rays\"", "\"straight-rays\""));
-    folder.run("light scene.toml --at places.csv -o -").fails(1, &["no light with shadows = \"curved-rays\""]);
+    folder.run("light scene.toml --at places.csv -o -").fails(1, &["requires a light with shadows = \"curved-rays\""]);
 }
 
 /// Light in a grid: what it takes is said, and what does not fit is refused with both numbers.

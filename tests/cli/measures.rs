@@ -186,7 +186,7 @@ fn a_chart_is_tables_plots_and_a_page() {
     ] {
         assert!(!folder.read(&format!("report/{name}")).is_empty());
     }
-    folder.run("compare all -o report").fails(1, &["scenes holds no scenes", "--scenes"]);
+    folder.run("compare all -o report").fails(1, &["no scenes in scenes", "--scenes"]);
 }
 
 #[test]
@@ -223,7 +223,7 @@ fn drift_is_measured_when_asked() {
             "{trace} --set law.kind=lorenz --set law.order=2 --set rays.max_parameter=1 --set rays.method=rk4"
         ))
         .succeeds();
-    assert!(ran.err.contains("keeps nothing"), "{}", ran.err);
+    assert!(ran.err.contains("no drift to report"), "{}", ran.err);
     folder.run(&format!("{trace} {hole} --set rays.sky_at_infinity=true")).fails(1, &["--drift", "sky_at_infinity"]);
 }
 

@@ -76,12 +76,12 @@ fn parts_and_budgets_that_cannot_be_are_refused() {
     for (arguments, code, text) in [
         ("--crop 0,0,17x12", 1, "0,0,17x12 is not inside the picture of 16 by 12 pixels"),
         ("--crop 4294967295,0,2x2", 1, "is not inside the picture"),
-        ("--crop 0,0", 2, "`0,0` is not a part such as 0,540,1920x270"),
-        ("--crop -1,0,2x2", 2, "`-1,0,2x2` is not a part"),
-        ("--crop 1,1,0x2", 2, "`1,1,0x2` is not a part"),
+        ("--crop 0,0", 2, "such as 0,540,1920x270, found `0,0`"),
+        ("--crop -1,0,2x2", 2, "expected a window as LEFT,TOP,WIDTHxHEIGHT"),
+        ("--crop 1,1,0x2", 2, "found `1,1,0x2`"),
         ("--memory 1KiB", 1, "1024 bytes of device memory are too few: this scene needs at least "),
-        ("--memory much", 2, "`much` is not an amount of memory such as 512MiB"),
-        ("--memory 99999999999GiB", 2, "is not an amount of memory"),
+        ("--memory much", 2, "expected an amount of memory such as 512MiB"),
+        ("--memory 99999999999GiB", 2, "expected an amount of memory"),
     ] {
         let ran = folder.run(&format!("render scene.toml -o a.png {arguments}"));
         assert_eq!(ran.code, Some(code), "{}", ran.err);
@@ -121,7 +121,7 @@ fn equal_parts_make_the_whole_to_the_byte() {
     again("--set sky.color=[1,1,1]").says(&["made.part-2-of-5.exr is rendered again: its `sky.color` is", " rays, "]);
     for (arguments, text) in [
         ("--part 1/31", "--part: there are more parts than the 30 rows of each image"),
-        ("--part auto", "--part auto: none of these variables is set: SLURM_ARRAY_TASK_ID (Slurm)"),
+        ("--part auto", "--part auto requires one of the variables SLURM_ARRAY_TASK_ID (Slurm)"),
     ] {
         folder.run(&format!("render scene.toml -o a.exr {scene} {arguments}")).fails(1, &[text]);
     }

@@ -56,26 +56,27 @@ fn pictures_go_on_where_they_were() {
     go_on("--continue few.exr --layers normal").succeeds();
     go_on("--continue few.exr --layers depth").fails(1, &["few.exr: it has no layer `depth`"]);
     go_on("--continue part.exr").succeeds();
-    go_on("--samples 11 --continue part.exr").fails(1, &["has 11 samples a pixel already", "--samples 22"]);
+    go_on("--samples 11 --continue part.exr").fails(1, &["has 11 samples per pixel already", "--samples 22"]);
     for (other, why) in [
         (
             "--set objects.1.radius=0.2",
-            "few.exr: its `objects.1.radius` is `0.3`, not `0.2`: only `samples` and [output] may",
+            "few.exr: its `objects.1.radius` is `0.3`, not `0.2`; only `samples` and [output] may",
         ),
         (
             "--precision f64",
-            "few.exr: its rays are followed by { method = \"exact\", max_segments = 1000, precision = \"f32\" }",
+            "few.exr: its integration method is { method = \"exact\", max_segments = 1000, precision = \"f32\" }",
         ),
     ] {
         let ran = go_on(&format!("{other} --continue few.exr")).says(&[why]);
         assert_eq!(ran.code, Some(1));
     }
-    go_on("--crop 0,0,4x4 --continue few.exr").fails(1, &["few.exr: it shows the part 0,0,12x12"]);
-    go_on("--set image.sampler=multi-jittered --continue few.exr").fails(1, &["known beforehand"]);
+    go_on("--crop 0,0,4x4 --continue few.exr").fails(1, &["few.exr: it shows the window 0,0,12x12"]);
+    go_on("--set image.sampler=multi-jittered --continue few.exr")
+        .fails(1, &["multi-jittered samples require a fixed number"]);
     go_on("--layers standard_error").succeeds();
-    go_on("--continue more.exr").fails(1, &["more.exr: it keeps no sums"]);
+    go_on("--continue more.exr").fails(1, &["more.exr: it has no layers `accumulated`"]);
     go_on("--samples 1").succeeds();
-    go_on("--continue more.exr").fails(1, &["it has one sample a pixel"]);
+    go_on("--continue more.exr").fails(1, &["it has one sample per pixel"]);
     folder.write("scene.toml", ROOM.replace("lighting = \"path-tracing\"\n", ""));
     go_on("--layers accumulated").fails(1, &["the layers `accumulated` and `luminance_m2` require"]);
 }
@@ -94,10 +95,12 @@ fn previews_are_pictures_so_far() {
     let clamped = |words: &str| words.split("; ").last().unwrap_or_default().trim().to_owned();
     assert!(clamped(&at_once.err).contains("samples clamped"), "{}", at_once.err);
     assert_eq!(clamped(&looked.err), clamped(&at_once.err));
-    folder.run("render scene.toml -o a.png --preview a.png").fails(1, &["named twice"]);
+    folder.run("render scene.toml -o a.png --preview a.png").fails(1, &["used for two outputs"]);
     folder.run("render scene.toml -o a.png --preview no/b.png").fails(1, &["no/b.png"]);
     folder.run("render scene.toml -o a.png --preview-every 3").fails(2, &["--preview"]);
-    folder.run("render scene.toml -o a.png --preview b.png --preview-every=-3").fails(2, &["not a number of seconds"]);
+    folder
+        .run("render scene.toml -o a.png --preview b.png --preview-every=-3")
+        .fails(2, &["expected a number of seconds"]);
     folder
         .run("render scene.toml -o a.png --preview b.png --preview-every 0 --set image.adaptive=0.1")
         .fails(1, &["adaptive"]);

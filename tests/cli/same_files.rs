@@ -28,13 +28,13 @@ fn the_files_of_a_scene_are_not_written_over() {
     refused(
         &folder,
         &[
-            ("render scene.png -o scene.png", "scene.png: this is the scene's own file, which would be lost"),
-            ("render scene.toml -o sky.png", "sky.png: this is a file of the scene"),
-            ("render scene.toml -o ./sky.png", "./sky.png: this is a file of the scene"),
-            ("render scene.toml -o a.png --preview sky.png", "sky.png: this is a file of the scene"),
-            ("trace scene.toml --rays rays.csv -o rays.csv", "rays.csv: this is the table of rays"),
+            ("render scene.png -o scene.png", "scene.png is the scene file and would be overwritten"),
+            ("render scene.toml -o sky.png", "sky.png is a file that the scene reads"),
+            ("render scene.toml -o ./sky.png", "./sky.png is a file that the scene reads"),
+            ("render scene.toml -o a.png --preview sky.png", "sky.png is a file that the scene reads"),
+            ("trace scene.toml --rays rays.csv -o rays.csv", "rays.csv is the file of rays"),
             ("trace scene.toml --rays rays.csv --plot mesh.obj", "mesh.obj"),
-            ("trace scene.toml --rays rays.csv -o scene.toml", "scene.toml: this is the scene's own file"),
+            ("trace scene.toml --rays rays.csv -o scene.toml", "scene.toml is the scene file"),
         ],
     );
 }
@@ -46,9 +46,9 @@ fn a_file_holds_one_thing() {
     refused(
         &folder,
         &[
-            ("render scene.toml -o a.png -o ./a.png", "./a.png is named twice as a.png"),
-            ("render scene.toml -o a.png -o a.png", "a.png is named twice: a file holds one thing"),
-            ("trace scene.toml --rays rays.csv -o a.csv --plot ./a.csv", "named twice"),
+            ("render scene.toml -o a.png -o ./a.png", "./a.png is used for two outputs (also as a.png)"),
+            ("render scene.toml -o a.png -o a.png", "a.png is used for two outputs: name another file"),
+            ("trace scene.toml --rays rays.csv -o a.csv --plot ./a.csv", "used for two outputs"),
             ("render scene.toml -o a.png/", "a.png/: this is a folder"),
         ],
     );
@@ -61,6 +61,6 @@ fn parts_are_not_written_over_by_their_whole() {
     folder.run("render scene.toml -o low.exr --crop 0,6,16x6").succeeds();
     refused(
         &folder,
-        &[("merge top.exr low.exr -o ./low.exr", "./low.exr: this is one of the parts, which would be lost")],
+        &[("merge top.exr low.exr -o ./low.exr", "./low.exr is one of the parts and would be overwritten")],
     );
 }

@@ -114,7 +114,7 @@ impl Slurm {
         }
         assert_eq!(is_lost, loses);
         let log = folder.text("scene.farm/finish.log");
-        assert!(log.contains("all there and of the same render"), "{log}");
+        assert!(log.contains("all present and consistent"), "{log}");
     }
 
     /// Ends a node as if its power had gone: with all that it was running.

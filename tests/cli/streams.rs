@@ -31,7 +31,7 @@ fn a_scene_from_standard_input_is_that_of_a_file() {
     let wrong = fed(&folder, "check -", &scene.replace("radius = 10", "radius = -1"));
     assert_eq!(wrong.code, Some(1));
     wrong.says(&["standard input:7:30: "]);
-    fed(&folder, "render - -o sky.png", &scene).fails(1, &["sky.png: this is a file of the scene"]);
+    fed(&folder, "render - -o sky.png", &scene).fails(1, &["sky.png is a file that the scene reads"]);
     // A table may come from there as well, but not both.
     let rays = "x,y,z,vx,vy,vz\n0,0,5,0,0,-1\n";
     folder.write("rays.csv", rays);
@@ -40,7 +40,7 @@ fn a_scene_from_standard_input_is_that_of_a_file() {
     assert_eq!(fed(&folder, "trace scene.toml --rays - -o -", rays).succeeds().out, traced);
     fed(&folder, "trace scene.toml --rays - -o -", "x,y\n").fails(1, &["standard input: line 1: "]);
     fed(&folder, "trace - --rays - -o -", &scene)
-        .fails(1, &["standard input cannot be the scene's own file and the table"]);
+        .fails(1, &["standard input cannot be both the scene file and the file"]);
 }
 
 #[test]
@@ -70,9 +70,9 @@ fn files_that_need_a_name_are_no_stream() {
         "compare scene.toml -o -",
         "farm slurm scene.toml -o a.png --parts 2 --folder -",
     ] {
-        folder.run(arguments).fails(2, &["this cannot be standard input or output: name a file"]);
+        folder.run(arguments).fails(2, &["standard input and output are not supported here: name a file"]);
     }
-    folder.run("farm slurm - -o a.png --parts 2").fails(1, &["-: this cannot be standard input or output"]);
+    folder.run("farm slurm - -o a.png --parts 2").fails(1, &["-: standard input and output are not supported here"]);
     assert_eq!(folder.names(), ["scene.toml"]);
     // A file may have that name.
     folder.run("new ./-").succeeds();

@@ -214,12 +214,12 @@ fn pixels_start_where_the_camera_looks() {
         assert!((scale - 1.0).abs() < 1e-6 || (scale - 0.5).abs() < 1e-6, "{slope:?} and {wanted:?}");
         assert!((slope[1] / wanted[1] - scale).abs() < 1e-6, "{slope:?} and {wanted:?}");
     }
-    folder.run("trace scene.toml --pixel 40,3 -o -").fails(1, &["pixel 40,3 is not in the picture of 40 by 20 pixels"]);
+    folder.run("trace scene.toml --pixel 40,3 -o -").fails(1, &["pixel 40,3 is outside the image of 40x20 pixels"]);
     let round = "trace scene.toml --pixel 0,0 -o - --set camera.kind=fisheye --set camera.fov=180 --set camera.corners=transparent";
     let ran = folder.run(round);
     assert_eq!(ran.code, Some(1), "{}", ran.err);
     ran.says(&["the camera has no ray through pixel 0,0"]);
-    folder.run("trace scene.toml --pixel 4 -o -").fails(2, &["`4` is not a pixel such as 320,240"]);
+    folder.run("trace scene.toml --pixel 4 -o -").fails(2, &["such as 320,240, found `4`"]);
 }
 
 /// Behind the orbit through a pixel lies the attractor that it comes to.
@@ -235,7 +235,7 @@ fn an_attractor_is_drawn_behind_the_orbits() {
     assert!(with.len() > 2 * without.len(), "{} and {}", with.len(), without.len());
     folder.run("trace scene.toml --pixel 10,10 --attractor -o -").fails(2, &["--plot"]);
     let straight = "trace scene.toml --pixel 10,10 --plot no.svg --attractor --set law.kind=straight";
-    folder.run(straight).fails(1, &["--attractor is of flows"]);
+    folder.run(straight).fails(1, &["--attractor requires a flow"]);
 }
 
 #[test]

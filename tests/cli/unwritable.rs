@@ -18,8 +18,8 @@ fn targets_that_cannot_be_written_are_refused_before_the_work() {
         ("trace scene.toml --rays rays.csv -o nodir/a.csv", "nodir/a.csv: the folder nodir does not exist"),
         ("trace scene.toml --rays rays.csv -o folder.png", "folder.png: this is a folder"),
         ("new nodir/scene.toml", "nodir/scene.toml: the folder nodir does not exist"),
-        ("new folder.png", "folder.png: a scene is written, not a picture of it"),
-        ("new scene.toml", "scene.toml: this file exists"),
+        ("new folder.png", "folder.png: this command writes a scene, not an image"),
+        ("new scene.toml", "scene.toml: the file exists already"),
     ];
     for (arguments, text) in cases {
         let ran = folder.run(arguments).fails(1, &[text]);

@@ -4,7 +4,7 @@ use std::path::Path;
 
 use serde_json::{Value, json};
 
-use crate::cli::format::{Found, shown};
+use crate::cli::format::{Found, counted, shown};
 use crate::cli::render::followed;
 use crate::gpu::{Built, Geometry, Grid, LightVolume, Memory, adapters, halved_pictures, light_bytes};
 use crate::model::medium::VISIBLE;
@@ -201,8 +201,8 @@ fn random_words(scene: &Scene) -> Vec<String> {
     let mut words = Vec::new();
     if scene.rays.paths.is_some() {
         let lamps: Vec<_> = scene.lamps().iter().map(|lamp| format!("objects[{}]", lamp.object)).collect();
-        let plural = if lamps.len() == 1 { "" } else { "s" };
-        let lamps = (!lamps.is_empty()).then(|| format!("{} emitter{plural} ({})", lamps.len(), lamps.join(", ")));
+        let emitters = counted((lamps.len(), "emitter"));
+        let lamps = (!lamps.is_empty()).then(|| format!("{emitters} ({})", lamps.join(", ")));
         let sky = scene.aims_at_sky().then(|| "the bright parts of the sky".to_owned());
         let aims: Vec<_> = lamps.into_iter().chain(sky).collect();
         words.push(if aims.is_empty() {
@@ -247,10 +247,8 @@ fn guide_words(scene: &Scene) -> Option<String> {
         None => format!("objects[{}]", beam.lamp.object),
     };
     let beams: Vec<_> = scene.beams().iter().map(beam).collect();
-    let (count, paths) = (beams.len(), scene.guide_grid().paths);
-    let plural = if count == 1 { "" } else { "s" };
-    (!beams.is_empty())
-        .then(|| format!("path guiding by {count} photon grid{plural} of {paths} paths: {}", beams.join(", ")))
+    let (grids, paths) = (counted((beams.len(), "photon grid")), scene.guide_grid().paths);
+    (!beams.is_empty()).then(|| format!("path guiding by {grids} of {paths} paths: {}", beams.join(", ")))
 }
 
 /// Describes the acceleration structure that segments search, if there is one.

@@ -22,8 +22,10 @@ pub(super) fn run(job: &Job) -> Result<(), Error> {
     }
     if !missing.is_empty() {
         let (count, all) = (missing.len(), shares.len());
-        let problem =
-            format!("{count} of {all} parts are missing, or of another scene: {}; run them again", ranges(&missing));
+        let problem = format!(
+            "{count} of {all} parts are missing or belong to another scene: {}; run them again",
+            ranges(&missing)
+        );
         return Err(Error::Usage(problem));
     }
     let mut bands: BTreeMap<Option<u32>, Vec<PathBuf>> = BTreeMap::new();
@@ -54,7 +56,7 @@ struct Whole {
 
 impl Found for Whole {
     fn text(&self) -> String {
-        format!("{} pictures, all there and of the same render", self.count)
+        format!("{} images, all present and consistent", self.count)
     }
 
     fn json(&self) -> Value {
@@ -71,7 +73,7 @@ fn check_alike(pictures: &[PathBuf]) -> Result<(), Error> {
         if let Some(found) = difference([&own, &said], &[SCENE, LINES]) {
             let (key, [this, that]) = (&found.key, [0, 1].map(|which| found.value(which)));
             let problem = format!(
-                "its `{key}` is {this}, and that of {} {that}; render it again where the others were",
+                "its `{key}` is {this}, but that of {} is {that}; render it again under the conditions of the others",
                 first.display()
             );
             return Err(OutputError::Part { path: path.clone(), problem }.into());

@@ -186,9 +186,9 @@ impl Found for Written {
     fn text(&self) -> String {
         let files: Vec<String> = self.files.iter().map(shown).collect();
         let commands: Vec<String> = self.commands.iter().map(|command| format!("`{command}`")).collect();
-        let submit = (!commands.is_empty()).then(|| format!("\nsubmit them by {}", commands.join(", then ")));
+        let submit = (!commands.is_empty()).then(|| format!("\nsubmit with {}", commands.join(", then ")));
         format!(
-            "wrote {}{}\nwhere its files are, this says how far it is: `{}`",
+            "wrote {}{}\nprint the progress, on a machine that has the files, with `{}`",
             files.join(", "),
             submit.unwrap_or_default(),
             self.status

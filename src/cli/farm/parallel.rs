@@ -35,8 +35,9 @@ pub(super) fn run(arguments: &Parallel) -> Result<(), Error> {
     let command = format!("{{ {}; }} >{folder}/part-@PART@.log 2>&1", or_say(&quoted(&render)));
     let finish = quoted(&finish_words(&program(), parts));
     let script = format!(
-        "#!/bin/bash\n# From the folder that the scene's path counts from. Run again, it renders what is missing.\n\
-         set -uo pipefail\nseq {parts} | parallel --jobs {}{hosts} --workdir . -I@PART@ --retries 3 {}\nexec {finish}\n",
+        "#!/bin/bash\n# Run this in the folder to which the path of the scene is relative. A second run renders \
+         missing parts only.\nset -uo pipefail\nseq {parts} | parallel --jobs {}{hosts} --workdir . -I@PART@ \
+         --retries 3 {}\nexec {finish}\n",
         arguments.at_once,
         quoted(&[command]),
     );

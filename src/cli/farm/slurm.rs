@@ -46,8 +46,8 @@ pub(super) fn run(arguments: &Slurm) -> Result<(), Error> {
     let scripts = [job.write("parts.sh", &part)?, job.write("finish.sh", &last)?];
     let [part, last] = [0, 1].map(|i| quoted(&[scripts[i].display().to_string()]));
     let submit = format!(
-        "#!/bin/bash\n# From the folder that the scene's path counts from.\nset -euo pipefail\n\
-         parts=$(sbatch --parsable {part})\nsbatch --dependency=afterany:\"$parts\" {last}\n"
+        "#!/bin/bash\n# Run this in the folder to which the path of the scene is relative.\nset -euo \
+         pipefail\nparts=$(sbatch --parsable {part})\nsbatch --dependency=afterany:\"$parts\" {last}\n"
     );
     let submit = job.write("submit.sh", &submit)?;
     if arguments.submit {
@@ -63,5 +63,5 @@ fn run_script(submit: &Path) -> Result<(), Error> {
     let failed = |why: String| usage!("{}: {why}", submit.display());
     let status = Command::new("bash").arg(submit).stdout(stderr()).status();
     let status = status.map_err(|error| failed(error.to_string()))?;
-    if status.success() { Ok(()) } else { Err(failed("sbatch failed, with what it said above".to_owned())) }
+    if status.success() { Ok(()) } else { Err(failed("sbatch failed; see its messages above".to_owned())) }
 }

@@ -35,8 +35,8 @@ impl State {
         match self {
             Self::Done => "done",
             Self::Failed => "failed",
-            Self::UnderWay => "under way, or cut off",
-            Self::Missing => "not begun",
+            Self::UnderWay => "running or interrupted",
+            Self::Missing => "not started",
         }
     }
 }

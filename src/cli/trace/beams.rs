@@ -46,7 +46,7 @@ impl Beam {
     fn read(pairs: &Pairs, shape: impl Fn() -> Result<Shape, String>) -> Result<Self, String> {
         let (from, toward) = (pairs.vector("from")?, pairs.vector("toward")?);
         let along = (toward - from).try_normalize();
-        let along = along.ok_or("`from` and `toward` are the same place; they give the direction")?;
+        let along = along.ok_or("`from` and `toward` are the same point, so there is no direction")?;
         Ok(Self { shape: shape()?, from, along, count: pairs.count("count", MOST)? })
     }
 
@@ -101,7 +101,7 @@ impl Beam {
 pub(super) fn rays(beams: &[Beam], plane: Option<&CutPlane>) -> Result<Vec<Vec<[f64; 6]>>, Error> {
     if let Some(plane) = plane {
         if let Some(beam) = beams.iter().find(|beam| !beam.lies_in(plane)) {
-            let problem = "does not lie in the plane of --cut; move its `from` and `toward` there, or leave --cut out";
+            let problem = "is outside the plane of --cut; move `from` and `toward` into the plane, or remove --cut";
             return Err(usage!("{} {problem}", beam.name()));
         }
         return Ok(beams.iter().map(|beam| beam.rays(plane)).collect());
@@ -155,23 +155,32 @@ mod tests {
         assert!(all.iter().all(|ray| ray[0].abs() < 1e-15 && ray[3].abs() < 1e-15), "{all:?}");
         let plane = CutPlane::new(DVec3::ZERO, DVec3::Y).unwrap();
         let error = rays(&beams, Some(&plane)).unwrap_err().to_string();
-        assert!(error.contains("the bundle from [0, 5, 0] does not lie in the plane of --cut"), "{error}");
+        assert!(error.contains("the bundle from [0, 5, 0] is outside the plane of --cut"), "{error}");
     }
 
     #[test]
     fn what_is_wrong_is_said() {
         for (text, problem) in [
-            ("", "`from` is missing"),
-            ("from=[0,0,0]", "`toward` is missing; as in `from="),
-            ("from=[0,0] toward=[1,0,0]", "`from`: `[0,0]` is not three numbers"),
-            ("from=[0,0,0 toward=[1,0,0]", "`from`: `[0,0,0 toward=[1,0,0]` is not three numbers"),
-            ("from=[0,0,0", "the `]` is missing"),
-            ("from=[0,0,0] toward=[0,0,0] spread=3 count=2", "the same place"),
-            ("from=[0,0,0] toward=[1,0,0] spread=400 count=2", "`spread=400`: expected a number above 0, at most 360"),
-            ("from=[0,0,0] toward=[1,0,0] spread=30 count=0", "`count=0`: expected a whole number, 1 to 100000"),
+            ("", "missing `from`; for example `from="),
+            ("from=[0,0,0]", "missing `toward`; for example `from="),
+            ("from=[0,0] toward=[1,0,0]", "`from`: expected three numbers such as [1, 0, -2.5], found `[0,0]`"),
+            (
+                "from=[0,0,0 toward=[1,0,0]",
+                "`from`: expected three numbers such as [1, 0, -2.5], found `[0,0,0 toward=[1,0,0]`",
+            ),
+            ("from=[0,0,0", "missing `]` in `from=[0,0,0`"),
+            ("from=[0,0,0] toward=[0,0,0] spread=3 count=2", "the same point"),
+            (
+                "from=[0,0,0] toward=[1,0,0] spread=400 count=2",
+                "`spread`: expected a number > 0 and at most 360, found `400`",
+            ),
+            (
+                "from=[0,0,0] toward=[1,0,0] spread=30 count=0",
+                "`count`: expected a whole number from 1 to 100000, found `0`",
+            ),
             ("from=[0,0,0] from=[1,0,0]", "`from` is given twice"),
-            ("width=3", "there is no `width`, but from, toward, spread, count"),
-            ("30", "`30`: expected KEY=VALUE"),
+            ("width=3", "unknown key `width`, expected one of from, toward, spread, count"),
+            ("30", "expected KEY=VALUE, as in `from="),
         ] {
             let error = Beam::fan(text).unwrap_err();
             assert!(error.contains(problem), "{text}: {error}");

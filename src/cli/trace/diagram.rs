@@ -38,7 +38,7 @@ pub(super) struct DiagramOptions {
 
 fn parse_time(text: &str) -> Result<f64, String> {
     let time = text.parse().ok().filter(|time: &f64| (0.0..=1e6).contains(time) && *time > 0.0);
-    time.ok_or_else(|| format!("`{text}`: expected a number above 0, at most 1000000"))
+    time.ok_or_else(|| format!("expected a number > 0 and at most 1000000, found `{text}`"))
 }
 
 /// The value of `--cut`.
@@ -62,18 +62,18 @@ impl Cut {
         }
         if let Some((normal, at)) = text.split_once('=').and_then(|(name, at)| Some((axis(name)?, at))) {
             let at = at.trim().parse().ok().filter(|at: &f64| at.abs() <= 1e30);
-            let at = at.ok_or_else(|| format!("`{text}`: expected a number, as in `z=2.5`"))?;
+            let at = at.ok_or_else(|| format!("expected a number, as in `z=2.5`, found `{text}`"))?;
             return Ok(Self { normal, point: Some(normal * at) });
         }
         if !text.contains('=') {
             return Err(format!(
-                "`{text}`: expected x, y, z, one of them with a number (z=2.5), or a normal and a point"
+                "expected x, y, z, one of them with a number (z=2.5), or a normal and a point, found `{text}`"
             ));
         }
         let pairs = Pairs::read(text, &["normal", "point"], "normal=[1,0,1] point=[0,0,0]")?;
         let normal = pairs.vector("normal")?;
         if normal == DVec3::ZERO {
-            return Err("`normal` has no direction".to_owned());
+            return Err("`normal` is zero, so it has no direction".to_owned());
         }
         let point = pairs.get("point").map(|_| pairs.vector("point")).transpose()?;
         Ok(Self { normal, point })
@@ -86,8 +86,8 @@ fn parse_frame(text: &str) -> Result<PlotRange, String> {
         "objects" => Ok(PlotRange::Objects),
         _ => match numbers(text) {
             Some(sides @ [left, right, bottom, top]) if left < right && bottom < top => Ok(PlotRange::Given(sides)),
-            Some(_) => Err(format!("`{text}`: left must be less than right, and bottom less than top")),
-            None => Err(format!("`{text}`: expected all, objects, or four numbers [left, right, bottom, top]")),
+            Some(_) => Err(format!("expected left < right and bottom < top, found `{text}`")),
+            None => Err(format!("expected all, objects, or four numbers [left, right, bottom, top], found `{text}`")),
         },
     }
 }
@@ -164,11 +164,14 @@ impl Diagram<'_> {
             let through = lines.iter().filter(|line| !lost.contains(&line.status));
             let curves: Vec<Curve> = through.map(|line| line.curve.clone()).collect();
             let Some(found) = focus(&curves) else {
-                tell!("no focus of {}: fewer than two rays come through, or all stay parallel", group.name);
+                tell!(
+                    "no focus of {}, because fewer than two rays pass through the scene or all stay parallel",
+                    group.name
+                );
                 continue;
             };
             let [x, y, z] = (found.place + DVec3::ZERO).to_array();
-            let how = if found.real { "" } else { ", where straight lines that continue them meet" };
+            let how = if found.real { "" } else { " (virtual: the rays are extended as straight lines)" };
             let (count, spread) = (curves.len(), found.spread);
             tell!("focus of {}: [{x:.6}, {y:.6}, {z:.6}], spread {spread:.3e} of {count} rays{how}", group.name);
             foci.push(found);

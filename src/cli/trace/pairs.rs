@@ -15,18 +15,21 @@ impl<'t> Pairs<'t> {
         let mut rest = text.trim_matches(is_gap);
         while !rest.is_empty() {
             let Some((key, value)) = rest.split_once('=') else {
-                return Err(format!("`{rest}`: expected KEY=VALUE, as in `{example}`"));
+                return Err(format!("expected KEY=VALUE, as in `{example}`, found `{rest}`"));
             };
             let key = key.trim();
             if !known.contains(&key) {
-                return Err(format!("there is no `{key}`, but {}; as in `{example}`", known.join(", ")));
+                return Err(format!(
+                    "unknown key `{key}`, expected one of {}; for example `{example}`",
+                    known.join(", ")
+                ));
             }
             if pairs.iter().any(|(other, _)| *other == key) {
                 return Err(format!("`{key}` is given twice; keep one"));
             }
             let value = value.trim_start();
             let end = if value.starts_with('[') {
-                value.find(']').map(|end| end + 1).ok_or_else(|| format!("`{key}={value}`: the `]` is missing"))?
+                value.find(']').map(|end| end + 1).ok_or_else(|| format!("missing `]` in `{key}={value}`"))?
             } else {
                 value.find(is_gap).unwrap_or(value.len())
             };
@@ -42,7 +45,7 @@ impl<'t> Pairs<'t> {
     }
 
     fn required(&self, key: &str) -> Result<&'t str, String> {
-        self.get(key).ok_or_else(|| format!("`{key}` is missing; as in `{}`", self.example))
+        self.get(key).ok_or_else(|| format!("missing `{key}`; for example `{}`", self.example))
     }
 
     /// Returns a position or a direction.
@@ -54,20 +57,22 @@ impl<'t> Pairs<'t> {
     pub fn positive(&self, key: &str, most: f64) -> Result<f64, String> {
         let text = self.required(key)?;
         let number = text.parse().ok().filter(|number| *number > 0.0 && *number <= most);
-        number.ok_or_else(|| format!("`{key}={text}`: expected a number above 0, at most {most}"))
+        number.ok_or_else(|| format!("`{key}`: expected a number > 0 and at most {most}, found `{text}`"))
     }
 
     /// Returns a whole number from 1 to `most`.
     pub fn count(&self, key: &str, most: usize) -> Result<usize, String> {
         let text = self.required(key)?;
         let number = text.parse().ok().filter(|number| (1..=most).contains(number));
-        number.ok_or_else(|| format!("`{key}={text}`: expected a whole number, 1 to {most}"))
+        number.ok_or_else(|| format!("`{key}`: expected a whole number from 1 to {most}, found `{text}`"))
     }
 }
 
 /// Parses a vector such as `[1, 2, 3]`.
 pub(super) fn vector(text: &str) -> Result<DVec3, String> {
-    numbers(text).map(DVec3::from_array).ok_or_else(|| format!("`{text}` is not three numbers such as [1, 0, -2.5]"))
+    numbers(text)
+        .map(DVec3::from_array)
+        .ok_or_else(|| format!("expected three numbers such as [1, 0, -2.5], found `{text}`"))
 }
 
 /// Parses `N` finite numbers in brackets.
