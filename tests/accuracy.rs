@@ -186,7 +186,7 @@ fn a_calibration_says_what_cannot_be_had() {
     let calibration = calibrate(&gpu, &bound, &RenderSettings::default(), Some(&rays)).unwrap().unwrap();
     println!("{calibration}");
     assert!(!calibration.reached() && calibration.rays.endless == rays.len());
-    assert!(calibration.to_string().contains("no method can be judged"));
+    assert!(calibration.to_string().contains("no method can be measured"));
 }
 
 /// b < √27 M and moving inwards falls in; everything else escapes: for rays from anywhere, in every direction.

@@ -68,7 +68,7 @@ fn what_is_wrong_with_a_law_is_said_at_its_place() {
         (
             "a missing function",
             "const A: f32 = 1.0;\n".to_owned(),
-            "the file has no `fn law_acceleration(x: Real3, held: Real) -> Real3`",
+            "the file must declare `fn law_acceleration(x: Real3, held: Real) -> Real3`",
         ),
         (
             "a wrong signature",
@@ -83,43 +83,47 @@ fn what_is_wrong_with_a_law_is_said_at_its_place() {
         (
             "a binding",
             after("@group(0) @binding(5) var<uniform> mine: f32;\n"),
-            "law.wgsl:4:1: attributes and bindings are the program's",
+            "law.wgsl:4:1: attributes and bindings are not allowed here",
         ),
-        ("a buffer", after("var<storage> mine: array<f32>;\n"), "law.wgsl:4:1: a variable of a file is `var<private>`"),
+        (
+            "a buffer",
+            after("var<storage> mine: array<f32>;\n"),
+            "law.wgsl:4:1: a module variable must be `var<private>`",
+        ),
         (
             "an unbounded loop",
             with("-x").replace("return", "loop { }\n    return"),
-            "law.wgsl:2:5: `loop` may never end",
+            "law.wgsl:2:5: `loop` is not allowed, because it may never end",
         ),
         (
             "a sine of WGSL's own",
             with("-x").replace("return", "let s = x * Real3(f32(sin(f32(x.x))));\n    return"),
-            "law.wgsl:2:27: WGSL's own `sin` is weak in 32 bits and wrong in 64: use `real_sin_cos(a)`",
+            "law.wgsl:2:27: the built-in `sin` is inaccurate in 32 bits and wrong in 64 bits: use `real_sin_cos(a)`",
         ),
         (
             "a while loop",
             with("-x").replace("return", "while x.x > 0.0 { }\n    return"),
-            "law.wgsl:2:5: `while` may never end",
+            "law.wgsl:2:5: `while` is not allowed, because it may never end",
         ),
         (
             "a loop of unknown length",
             with("-x").replace("return", "for (var i = 0u; i < u32(x.x); i++) { }\n    return"),
-            "law.wgsl:2:5: the length of a loop",
+            "law.wgsl:2:5: a loop must have constant bounds",
         ),
         (
             "a loop whose counter is set",
             with("-x").replace("return", "for (var i = 0u; i < 9u; i++) { i = 0u; }\n    return"),
-            "law.wgsl:2:5: the length of a loop",
+            "law.wgsl:2:5: a loop must have constant bounds",
         ),
         (
             "a clash",
             after("fn law_captured() -> f32 {\n    return 1.0;\n}\n"),
-            "law.wgsl:4:4: `law_captured` is a name that programs use",
+            "law.wgsl:4:4: the name `law_captured` is reserved",
         ),
         (
             "a function of WGSL's own",
             after("fn dot(a: Real3, b: Real3) -> Real {\n    return 1.0;\n}\n"),
-            "law.wgsl:4:4: `dot` is a name that programs use",
+            "law.wgsl:4:4: the name `dot` is reserved",
         ),
         (
             "a huge array",

@@ -26,7 +26,7 @@ const OPERATIONS: f64 = 2.0;
 
 /// Measures fused multiply-adds, and reads and writes of texels.
 pub(super) fn ceilings(bench: &Bench) -> Result<Table, RenderError> {
-    let mut table = Table::new("ceilings", "The device's own ceilings", "what | rate | unit | spread");
+    let mut table = Table::new("ceilings", "Peak rates of the device", "what | rate | unit | spread");
     let iterations = constant("ceiling/multiply_add", "ITERATIONS");
     let operations = f64::from(INVOCATIONS) * CHAINS * OPERATIONS * iterations;
     let bytes = 16.0 * f64::from(SIDE) * f64::from(SIDE);

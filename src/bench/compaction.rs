@@ -12,9 +12,9 @@ const SCHEDULES: [(Schedule, u32); 4] =
 
 /// Measures each scene, by name, without masks, with masks, and with masks and compaction.
 pub fn compaction(bench: &Bench, scenes: &[(String, Scene)]) -> Result<Report, RenderError> {
-    let header =
-        "scene | schedule | K | no masks (s) | masks (s) | list (s) | spread (masks) | spread (list) | list over masks";
-    let caption = "Ended rays run along, skipped where they lie, and left out of a list of the active ones";
+    let header = "scene | schedule | K | all rays (s) | early termination (s) | compaction (s) | spread (early \
+                  termination) | spread (compaction) | speedup by compaction";
+    let caption = "Terminated rays that run on, are skipped in place, or are removed by active-ray compaction";
     let mut table = Table::new("compaction", caption, header);
     for (name, scene) in scenes {
         let mut scene = scene.clone();
@@ -30,10 +30,11 @@ pub fn compaction(bench: &Bench, scenes: &[(String, Scene)]) -> Result<Report, R
     let [width, height] = bench.size;
     Ok(Report {
         name: "compaction",
-        title: "Compaction".to_owned(),
+        title: "Active-ray compaction".to_owned(),
         intro: vec![format!(
-            "{width}×{height} pixels; seconds of the advance passes, those without masks from a single run. The last column says how many times faster the list is than masks \
-             without it."
+            "{width}×{height} pixels. Times are seconds of the advance passes; those without early termination are \
+             from a single run. The last column is the time with early termination divided by the time with \
+             compaction."
         )],
         tables: vec![table],
         plots: Vec::new(),

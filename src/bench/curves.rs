@@ -47,7 +47,7 @@ fn ways() -> [Way; 6] {
 
 /// Returns the times by number of boxes and method, and relative to bvh/hier, with a chart.
 pub(super) fn curves(bench: &Bench) -> Result<(Table, Chart), RenderError> {
-    let header = "boxes | rays / objects | device (s) | spread | microseconds a ray | over bvh/hier";
+    let header = "boxes | rays / objects | device (s) | spread | microseconds per ray | relative to bvh/hier";
     let mut table = Table::new("curves", "Rays along helices", header);
     let mut series: Vec<Series> = Vec::new();
     let size = bench.size.map(|side| (side / 4).max(8));
@@ -70,7 +70,7 @@ pub(super) fn curves(bench: &Bench) -> Result<(Table, Chart), RenderError> {
             Series::extend(&mut series, way.name, [f64::from(count), each]);
         }
     }
-    Ok((table, Chart::logarithmic("Rays along helices", ["boxes", "microseconds a ray"], series)))
+    Ok((table, Chart::logarithmic("Rays along helices", ["boxes", "microseconds per ray"], series)))
 }
 
 fn scene([width, height]: [u32; 2], count: u32, keys: &str) -> Result<Scene, RenderError> {

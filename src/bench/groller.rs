@@ -35,10 +35,10 @@ const LAWS: [(&str, &str, u32); 2] = [
 
 /// Measures times by law, number of triangles and structure, for this mesh.
 pub fn groller(bench: &Bench, mesh: &Mesh) -> Result<Report, RenderError> {
-    let header = "law | triangles | structure | intersect (s) | spread | ns a segment | build (s)";
-    let mut times = Table::new("times", "Intersection alone", header);
-    let growth = "Intersection with the most triangles, over that with a thousand";
-    let mut growth = Table::new("growth", growth, "law | structure | triangles | times as long");
+    let header = "law | triangles | structure | intersect (s) | spread | ns per segment | build (s)";
+    let mut times = Table::new("times", "Intersection only", header);
+    let growth = "Intersection time with the most triangles, relative to a thousand triangles";
+    let mut growth = Table::new("growth", growth, "law | structure | triangles | relative time");
     let mut plots = Vec::new();
     for ((law, keys, part), plot) in LAWS.into_iter().zip(["straight", "schwarzschild"]) {
         let mut series: BTreeMap<&str, Vec<[f64; 2]>> = BTreeMap::new();
@@ -65,16 +65,17 @@ pub fn groller(bench: &Bench, mesh: &Mesh) -> Result<Report, RenderError> {
             }
         }
         let series = series.into_iter().map(|(name, points)| Series::new(name, points)).collect();
-        let title = format!("Intersection alone, {law}");
-        plots.push((plot, Chart::logarithmic(title, ["triangles", "nanoseconds a segment"], series)));
+        let title = format!("Intersection only, {law}");
+        plots.push((plot, Chart::logarithmic(title, ["triangles", "nanoseconds per segment"], series)));
     }
     let (curves, curves_chart) = super::curves::curves(bench)?;
     plots.push(("curves", curves_chart));
-    let intro = "One mesh, coarsened and cut up. The segment schedule; a quarter of the viewport's width and height under \
-                 Schwarzschild, a 32nd without a structure. Rays along helices are pictures of a quarter, too.";
+    let intro = "One mesh, simplified and subdivided, with the segment schedule. In Schwarzschild spacetime, the \
+                 image has a quarter of the width and height; without an acceleration structure, a 32nd. Images with \
+                 rays along helices have a quarter, too.";
     Ok(Report {
         name: "groller",
-        title: "Structures".to_owned(),
+        title: "Acceleration structures".to_owned(),
         intro: vec![intro.to_owned()],
         tables: vec![growth, times, curves],
         plots,

@@ -15,9 +15,9 @@ use crate::render::{RenderError, RenderSettings, Renderer, light_grids, light_pa
 use crate::scene::{Light, LightGrid, Precision, Scene, Shadows};
 
 const LAWS: [(&str, &str); 3] = [
-    ("a centre", "kind = \"sources\"\nsources = [{ position = [1, 1.6, 0], strength = 0.3, capture_radius = 1e-3 }]"),
+    ("a center", "kind = \"sources\"\nsources = [{ position = [1, 1.6, 0], strength = 0.3, capture_radius = 1e-3 }]"),
     (
-        "two centres",
+        "two centers",
         "kind = \"sources\"\nsources = [{ position = [1, 1.6, 0], strength = 0.15, capture_radius = 1e-3 }, \
          { position = [-1, 1.2, -1], strength = 0.1, capture_radius = 1e-3 }]",
     ),
@@ -43,11 +43,12 @@ const LIT: f32 = 0.05;
 
 /// Measures directions by voxel size, and time against error.
 pub fn lights(bench: &Bench) -> Result<Report, RenderError> {
-    let header =
-        "law | voxels | mean angle (rad) | over the last | by light (rad) | places | made in (s) | MiB | paths";
-    let mut angles = Table::new("directions", "The grid's directions against shooting", header);
-    let header = "law | light | time (s) | spread | mean error | lit or not as it should be (%) | of it the grid (s)";
-    let mut pictures = Table::new("pictures", "Pictures against shooting", header);
+    let header = "law | voxels | mean angle (rad) | relative to the last | weighted by light (rad) | points | build \
+                  (s) | MiB | paths";
+    let mut angles =
+        Table::new("directions", "Directions in the photon grid, compared with the shooting method", header);
+    let header = "law | light | time (s) | spread | mean error | correctly lit or shadowed (%) | grid build (s)";
+    let mut pictures = Table::new("pictures", "Images, compared with the shooting method", header);
     let mut by_size = Vec::new();
     let mut plots = Vec::new();
     for ((name, law), plot) in LAWS.into_iter().zip(["centre", "centres", "lens"]) {
@@ -55,18 +56,20 @@ pub fn lights(bench: &Bench) -> Result<Report, RenderError> {
         by_size.push(Series::new(name, directions(bench, name, &scene, &mut angles)?));
         plots.push((plot, errors(bench, name, &scene, &mut pictures)?));
     }
-    let labels = ["voxels along the longest side", "mean angle to shooting's (rad)"];
-    let chart = Chart::logarithmic("Directions in a grid", labels, by_size);
+    let labels = ["voxels along the longest side", "mean angle to the shooting method (rad)"];
+    let chart = Chart::logarithmic("Directions in a photon grid", labels, by_size);
     plots.insert(0, ("directions", chart));
     let intro = vec![
-        "The room is 6 wide. What shooting finds is the truth: in 32 bits for directions, in 64 for pictures where the device has them."
+        "The room is 6 units wide. The reference solution is the shooting method: in 32 bits for directions, and in \
+         64 bits for images if the device supports them."
             .to_owned(),
-        "A picture's error is the mean of its differences from the truth, over the truth's mean. A pixel is lit in truth where it has more \
-         than a twentieth of what it has without shadows, or of the mean; a picture agrees where it has more than half of that, or less than \
-         half of what there would be without shadows."
+        "The error of an image is its mean difference from the reference, divided by the mean of the reference. A \
+         pixel of the reference is lit if it has more than a twentieth of its value without shadows, or of the mean. \
+         An image agrees at a lit pixel if it has more than half of the reference value, and at a shadowed pixel if \
+         it has less than half of the value without shadows."
             .to_owned(),
     ];
-    let title = "Light along bent paths".to_owned();
+    let title = "Light along curved rays".to_owned();
     Ok(Report { name: "lights", title, intro, tables: vec![angles, pictures], plots })
 }
 
@@ -174,9 +177,11 @@ fn errors(bench: &Bench, name: &str, scene: &Scene, table: &mut Table) -> Result
         Way::new("straight".to_owned(), shadows(Shadows::Straight)),
         Way::new("shooting".to_owned(), shadows(Shadows::Shooting)),
     ];
-    ways.extend(VOXELS.map(|voxels| Way::new(format!("grid {voxels}"), gridded(scene, voxels, 1))));
+    ways.extend(VOXELS.map(|voxels| Way::new(format!("photon grid {voxels}"), gridded(scene, voxels, 1))));
     let refine = LightGrid::default().refine;
-    ways.extend(REFINED.map(|voxels| Way::new(format!("grid {voxels}, in parts"), gridded(scene, voxels, refine))));
+    ways.extend(
+        REFINED.map(|voxels| Way::new(format!("photon photon grid {voxels}, refined"), gridded(scene, voxels, refine))),
+    );
     let run = |way: &Way| -> Result<Duration, RenderError> {
         let started = Instant::now();
         let (picture, grid) = picture(bench, &way.scene)?;
@@ -196,7 +201,7 @@ fn errors(bench: &Bench, name: &str, scene: &Scene, table: &mut Table) -> Result
         let kind = way.name.replace(|c: char| c.is_ascii_digit(), "").replace(" ,", ",").trim_end().to_owned();
         Series::extend(&mut series, &kind, [times.median, compared.error]);
     }
-    Ok(Chart::logarithmic(format!("Light about {name}"), ["time (s)", "mean error"], series))
+    Ok(Chart::logarithmic(format!("Light around {name}"), ["time (s)", "mean error"], series))
 }
 
 /// The difference of an image from the reference.

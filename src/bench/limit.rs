@@ -15,27 +15,29 @@ const MOST_STEPS: u32 = 20_000;
 
 /// Measures the device's ceilings, and for each scene, by name, the share of bare steps in its advance passes.
 pub fn limit(bench: &Bench, scenes: &[(String, Scene)]) -> Result<Report, RenderError> {
-    let header = "scene | method | K | rays | steps a ray | evaluations a ray | bare (ns a step) | fused (ns a step) | \
-                  whole (ns a step) | faster over bare | spread (bare) | spread (fused) | spread (whole)";
-    let caption = "Steps in a bare loop of registers, as many for every ray as its path takes, and two schedules";
+    let header = "scene | method | K | rays | steps per ray | evaluations per ray | bare (ns per step) | fused (ns \
+                  per step) | whole (ns per step) | faster relative to bare | spread (bare) | spread (fused) | \
+                  spread (whole)";
+    let caption = "Steps in a bare loop, with the number of steps of each ray's path, and with two schedules";
     let mut table = Table::new("scenes", caption, header);
-    let header = "scene | whole (ns a ray) | fused (ns a ray) | setup | bare steps | segments | shading";
-    let caption = "Where the time of a ray goes by the schedule of several passes, in parts of one";
+    let header = "scene | whole (ns per ray) | fused (ns per ray) | setup | bare steps | segments | shading";
+    let caption = "Fractions of the time of a ray, with the schedule of several passes";
     let mut shares = Table::new("shares", caption, header);
     for (name, scene) in scenes {
         add(bench, name, scene, [&mut table, &mut shares])?;
     }
     Ok(Report {
         name: "limit",
-        title: "The device's limit".to_owned(),
+        title: "The limit of the device".to_owned(),
         intro: vec![
-            "The bare loop moves the same rays by as many of the same method's steps and does nothing else: no segments, no \
-             tests for their end, no objects. `fused` is its passes that advance; `whole` is everything from the camera to the \
-             colour. Rays in straight space or in media with closed forms take no such steps."
+            "The bare loop advances the same rays by the same number of steps of the same method, and does nothing \
+             else: no segments, no termination tests, no objects. `fused` is the advance passes of that schedule; \
+             `whole` is everything from the camera to the color. Straight rays and media with closed forms need no \
+             such steps."
                 .to_owned(),
-            "The shares are of passes: `setup` is the camera rays and their storing, `segments` what the passes that \
-             advance take besides bare steps (ends, objects, the state's loading and storing, counting, the list), \
-             `shading` the surface, the light, the sky and the picture."
+            "The fractions are those of passes. `setup` creates and stores the camera rays. `segments` is the time \
+             of the advance passes without the bare steps: termination, objects, loading and storing of the state, \
+             counting, and compaction. `shading` is surfaces, lights, sky and image."
                 .to_owned(),
         ],
         tables: vec![ceilings(bench)?, table, shares],

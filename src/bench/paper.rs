@@ -66,15 +66,16 @@ pub fn paper(bench: &Bench) -> Result<Report, RenderError> {
     let spheres = |row: usize| figure.rows.iter().map(move |cells| [number(&cells[0]), number(&cells[row])]).collect();
     let series = [("no acceleration", 1), ("2004", 2), ("here", 3)];
     let series = series.map(|(name, row)| Series::new(name, spheres(row))).to_vec();
-    let title = "500 steps in 50 segments, Schwarzschild (W04, Figure 5)";
+    let title = "500 steps in 50 segments, Schwarzschild (Weiskopf et al. 2004, Figure 5)";
     let chart = Chart::linear(title, ["spheres", "seconds on the device"], series);
     let [width, height] = bench.size;
     Ok(Report {
         name: "paper",
-        title: "The 2004 paper's measurements".to_owned(),
+        title: "Measurements of Weiskopf et al. (2004)".to_owned(),
         intro: vec![format!(
-            "{width}×{height} pixels. No acceleration: fixed Euler steps, every pixel in every pass. 2004: early termination \
-             and step doubling by the paper's rule. Here: {ACCURACY} rad asked of 99 of 100 rays, arcs, masks."
+            "{width}×{height} pixels. None: no acceleration, with fixed Euler steps and every pixel in every pass. \
+             2004: early termination and step doubling by the rule of Weiskopf et al. (2004). Here: an accuracy of \
+             {ACCURACY} rad for 99 % of the rays, arcs, and early termination."
         )],
         tables: vec![table(bench)?, slopes(&figure), figure, shadow(bench)?],
         plots: vec![("figure", chart)],
@@ -132,7 +133,8 @@ fn figure(bench: &Bench) -> Result<Table, RenderError> {
 
 /// Returns the cost of one more sphere, from the linear fit to the figure's times.
 fn slopes(figure: &Table) -> Table {
-    let mut table = Table::new("slopes", "Figure 5: what one more sphere costs", "how | ms a sphere | of none");
+    let mut table =
+        Table::new("slopes", "Figure 5: cost of one more sphere", "acceleration | ms per sphere | relative to none");
     let each = |column: usize| slope(figure.rows.iter().map(|cells| [number(&cells[0]), number(&cells[column])]));
     for (how, column) in [("none", 1), ("accelerated as in 2004", 2), ("here", 3)] {
         table.row(&[how], [1e3 * each(column), each(column) / each(1)]);
@@ -145,14 +147,11 @@ fn shadow(bench: &Bench) -> Result<Table, RenderError> {
     let methods = [
         ("Euler, h = 0.15", "method = \"euler\"\nstep = 0.15"),
         ("Euler, 300 steps through the scene", "method = \"euler\"\nstep = 0.3333333333"),
-        (
-            "Euler doubling, the paper's rule, 1e-3",
-            "method = \"euler-doubling\"\ndoubling = \"paper\"\ntolerance = 1e-3",
-        ),
+        ("Euler doubling, rule of 2004, 1e-3", "method = \"euler-doubling\"\ndoubling = \"paper\"\ntolerance = 1e-3"),
         ("RK4, h = 0.1 r", "method = \"rk4\"\nscaled_step = 0.1"),
     ];
-    let caption = format!("The shadow's edge from r = 50 M, whose impact parameter is {CRITICAL:.3} M");
-    let mut table = Table::new("shadow", caption, "method | edge (M) | off by (%)");
+    let caption = format!("Edge of the shadow from r = 50 M, whose impact parameter is {CRITICAL:.3} M");
+    let mut table = Table::new("shadow", caption, "method | edge (M) | error (%)");
     for (name, keys) in methods {
         let edge = shadow_edge(bench.gpu, keys)?;
         let off = edge.map(|b| 100.0 * (b / CRITICAL - 1.0));

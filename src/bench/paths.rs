@@ -22,16 +22,19 @@ const TRUTH: u32 = 4096;
 /// visible in the mirror, and smaller lights cause more of them.
 const WORST: f64 = 0.01;
 /// The methods to find light: next-event estimation, and path guiding.
-const WAYS: [(&str, bool, bool); 3] =
-    [("own rays", false, false), ("aims", true, false), ("aims and guide", true, true)];
+const WAYS: [(&str, bool, bool); 3] = [
+    ("scattered rays", false, false),
+    ("direct-light sampling", true, false),
+    ("direct-light sampling and guiding", true, true),
+];
 
 /// Measures the time for an equal error by the light's size.
 pub fn paths(bench: &Bench) -> Result<Report, RenderError> {
-    let header =
-        "lamp's radius | light found by | time (s) | spread | error | time × error² | of own rays | ns a segment";
-    let caption = format!("{SAMPLES} samples a pixel against {TRUTH}");
+    let header = "emitter radius | sampling | time (s) | spread | error | time × error² | relative to scattered rays \
+                  | ns per segment";
+    let caption = format!("{SAMPLES} samples per pixel, compared with {TRUTH}");
     let mut table = Table::new("lamps", caption, header);
-    let mut truths = Table::new("truths", "What pictures are held against", "lamp's radius | noise of the truth");
+    let mut truths = Table::new("truths", "Reference images", "emitter radius | noise of the reference");
     let mut series: Vec<Series> = Vec::new();
     for radius in LAMPS {
         let scene = room(bench.size, radius)?;
@@ -47,16 +50,17 @@ pub fn paths(bench: &Bench) -> Result<Report, RenderError> {
         }
     }
     let [width, height] = bench.size;
-    let labels = ["radius of the lamp, in a box 2 wide", "time × error² (s)"];
-    let chart = Chart::logarithmic("Paths to a lamp", labels, series);
+    let labels = ["radius of the emitter, in a box of width 2", "time × error² (s)"];
+    let chart = Chart::logarithmic("Paths to an emitter", labels, series);
     Ok(Report {
         name: "paths",
-        title: "Light from surface to surface".to_owned(),
+        title: "Path tracing".to_owned(),
         intro: vec![format!(
-            "{width}×{height} pixels. A box with a mirror and a ball of glass, lit by one ball that gives the same light whatever its size. \
-             The error is the root of the mean squared difference over pixels and channels, in parts of the picture's mean, \
-             without the worst hundredth of them; so what a way finds too rarely to show, such as a small lamp's light through glass without the guide, is \
-             missing from its error. Times are the whole wait; a segment's time is the device's."
+            "{width}×{height} pixels. A box with a mirror and a glass sphere, lit by one spherical emitter of \
+             constant power and varying radius. The error is the root mean square difference over pixels and \
+             channels, divided by the mean of the image, without the worst 1 % of the values. It therefore omits \
+             light that a sampling method finds too rarely, such as light from a small emitter through glass without \
+             path guiding. Times are wall-clock times; the time of a segment is device time."
         )],
         tables: vec![table, truths],
         plots: vec![("cost", chart)],

@@ -55,12 +55,12 @@ struct Measured {
 
 /// Measures every scene, by name, with each sampling.
 pub fn sampling(bench: &Bench, scenes: &[(String, Scene)]) -> Result<Report, RenderError> {
-    let header = "scene | method | sampling | tolerance | samples a pixel | RMSE | of uniform 16 | at the cap (%) | device (s) | \
-                  spread";
-    let caption = format!("Error against {REFERENCE} samples a pixel; adaptive pictures take up to {MOST}");
+    let header = "scene | method | sampling | tolerance | samples per pixel | RMSE | relative to uniform 16 | at the \
+                  cap (%) | device (s) | spread";
+    let caption = format!("Error relative to {REFERENCE} samples per pixel; adaptive images take up to {MOST}");
     let mut table = Table::new("scenes", caption, header);
-    let caption = format!("Adaptive at {USUAL} in every scene, against {AIM} samples a pixel");
-    let header = "scene | uniform 16 (RMSE) | adaptive (RMSE) | samples a pixel | as good with 6 at most";
+    let caption = format!("Adaptive at {USUAL} in every scene, compared with {AIM} samples per pixel");
+    let header = "scene | uniform 16 (RMSE) | adaptive (RMSE) | samples per pixel | as good with at most 6";
     let mut judged = Table::new("judged", caption, header);
     let mut series = Vec::new();
     for (name, scene) in scenes {
@@ -79,18 +79,18 @@ pub fn sampling(bench: &Bench, scenes: &[(String, Scene)]) -> Result<Report, Ren
         series.extend(curves(name, &measured));
     }
     let [width, height] = bench.size;
-    let labels = ["samples a pixel", "RMSE of displayed values"];
+    let labels = ["samples per pixel", "RMSE of displayed values"];
     Ok(Report {
         name: "sampling",
         title: "Sampling".to_owned(),
         intro: vec![format!(
-            "{width}×{height} pixels. The root of the mean squared error over pixels and channels, of the values that a PNG shows \
-             (sRGB, 0 to 1, not rounded). Samples count the rays through the corners, which pixels share. At the cap are pixels \
-             that took {MOST} samples and whose mean is not within the tolerance. A detail between four corners that look alike, \
-             such as a star, is not seen by adaptive sampling."
+            "{width}×{height} pixels. The error is the root mean square over pixels and channels of PNG values \
+             (sRGB, 0 to 1, not rounded). Samples include the rays through the corners, which pixels share. Pixels \
+             at the cap took {MOST} samples, and their mean is not within the tolerance. Adaptive sampling misses a \
+             detail, such as a star, between four corners of similar color."
         )],
         tables: vec![judged, table],
-        plots: vec![("error", Chart::logarithmic("Error of sampling", labels, series))],
+        plots: vec![("error", Chart::logarithmic("Sampling error", labels, series))],
     })
 }
 

@@ -23,9 +23,9 @@ const GROWN: [(&str, Grow); 5] =
 
 /// Measures times and exponents.
 pub fn scaling(bench: &Bench) -> Result<Report, RenderError> {
-    let header = "what | times as many | advance (s) | all (s) | spread";
-    let mut times = Table::new("times", "Time of the advance passes and of all", header);
-    let mut exponents = Table::new("exponents", "Time grows with this power", "what | advance | all");
+    let header = "quantity | factor | advance (s) | all (s) | spread";
+    let mut times = Table::new("times", "Time of the advance passes and of all passes", header);
+    let mut exponents = Table::new("exponents", "Exponent of the growth of time", "quantity | advance | all");
     let mut series = Vec::new();
     for (name, grow) in GROWN {
         let mut points = Vec::new();
@@ -46,9 +46,11 @@ pub fn scaling(bench: &Bench) -> Result<Report, RenderError> {
         exponents.row(&[name], [slope(1), slope(2)]);
         series.push(Series::new(name, points.iter().map(|p| [p[0], p[2]]).collect()));
     }
-    let chart = Chart::logarithmic("How time grows", ["times as many", "seconds on the device"], series);
-    let intro =
-        vec!["RK4 in Schwarzschild spacetime over ten spheres; what is named is doubled, and nothing else.".to_owned()];
+    let chart = Chart::logarithmic("Growth of time", ["factor", "seconds on the device"], series);
+    let intro = vec![
+        "RK4 in Schwarzschild spacetime with ten spheres. In each series, only the named quantity is doubled."
+            .to_owned(),
+    ];
     Ok(Report {
         name: "scaling",
         title: "Scaling".to_owned(),

@@ -17,7 +17,8 @@ pub fn schedules(bench: &Bench) -> Result<Report, RenderError> {
     scene.rays.accelerate = Accelerate::Auto;
     let others = [Schedule::Paper, Schedule::Segment, Schedule::Whole].map(|schedule| (schedule, 1));
     let fused = SEGMENTS.map(|segments| (Schedule::Fused, segments));
-    let header = "schedule | K | no masks (s) | masks (s) | spread (no masks) | spread (masks) | gain";
+    let header = "schedule | K | all rays (s) | early termination (s) | spread (all rays) | spread (early \
+                  termination) | speedup";
     let mut table = Table::new("schedules", "300 Euler steps in 30 segments over 10 spheres, Schwarzschild", header);
     let mut series = Vec::new();
     for (schedule, segments) in others.into_iter().chain(fused) {
@@ -30,14 +31,14 @@ pub fn schedules(bench: &Bench) -> Result<Report, RenderError> {
             Series::extend(&mut series, "active rays", [k, masked.median]);
         }
     }
-    let chart = Chart::logarithmic("Segments of one fused pass", ["K", "seconds on the device"], series);
+    let chart = Chart::logarithmic("Segments per fused pass", ["K", "seconds on the device"], series);
     let [width, height] = bench.size;
     Ok(Report {
         name: "schedules",
         title: "Schedules".to_owned(),
         intro: vec![format!(
-            "{width}×{height} pixels. The same stages in different passes; every picture is the same, bit for bit. With masks \
-             ended rays are skipped: where they lie in `paper`, by a dense list of the active rays in the others."
+            "{width}×{height} pixels. The same stages in different passes; all images are bit-identical. With early \
+             termination, terminated rays are skipped: in place in `paper`, by active-ray compaction in the others."
         )],
         tables: vec![table],
         plots: vec![("fused", chart)],

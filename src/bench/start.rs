@@ -30,7 +30,7 @@ const CACHES: [&str; 5] = [
 /// Measures starts of `program`, which is this program, for each of the scenes.
 pub fn start(bench: &Bench, program: &Path, scenes: &[PathBuf]) -> Result<Report, RenderError> {
     let parts = StartUp::PARTS.join(" | ");
-    let header = format!("scene | cache | launch to first pixel (s) | spread | {parts} | second picture (s)");
+    let header = format!("scene | cache | launch to first pixel (s) | spread | {parts} | second image (s)");
     let mut table = Table::new("start", "From launch to the first pixel", &header);
     for path in scenes {
         let name = path.file_stem().map_or_else(String::new, |name| name.to_string_lossy().into_owned());
@@ -50,8 +50,8 @@ pub fn start(bench: &Bench, program: &Path, scenes: &[PathBuf]) -> Result<Report
         }
     }
     let intro = format!(
-        "{SIZE}×{SIZE} pixels, each start in a process of its own, with the caches of the driver and of \
-         `auto` empty and then filled. The second picture is rendered again by what the first has compiled."
+        "{SIZE}×{SIZE} pixels, each start in a separate process, first with empty and then with filled caches of the \
+         driver and of method = \"auto\". The second image reuses the program that was compiled for the first."
     );
     Ok(Report {
         name: "start",

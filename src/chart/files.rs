@@ -64,8 +64,8 @@ pub fn write_chart(folder: &Path, chart: &SceneChart) -> Result<Section, OutputE
     }
     table.finish()?;
     let plots: [(&str, &str, Cost); 2] = [
-        ("time", "time of a ray, advance passes (ns)", |point| 1e9 * point.time),
-        ("evaluations", "evaluations of the law's rate, a ray", |point| point.evaluations),
+        ("time", "time per ray, advance passes (ns)", |point| 1e9 * point.time),
+        ("evaluations", "derivative evaluations per ray", |point| point.evaluations),
     ];
     let mut images = Vec::new();
     for (name, label, cost) in plots {
@@ -88,7 +88,7 @@ pub fn write_chart(folder: &Path, chart: &SceneChart) -> Result<Section, OutputE
         }
         images.push((
             PathBuf::from(format!("{}_drift_{slug}.svg", chart.scene)),
-            format!("{}: steps against the drift of {name}", chart.scene),
+            format!("{}: steps against drift of {name}", chart.scene),
         ));
     }
     Ok(section(chart, images))
@@ -114,8 +114,8 @@ fn drift_plot(chart: &SceneChart, name: &str) -> PrecisionPlot {
         |curve: &MethodCurve| Series { name: curve.name.to_owned(), points: curve.points.iter().map(point).collect() };
     PrecisionPlot {
         title: format!("{}: {name}", chart.scene),
-        x_label: "drift that 95 of 100 rays stay under, in parts of its size".to_owned(),
-        y_label: "steps of a ray, with those that were rejected".to_owned(),
+        x_label: "relative drift, 95th percentile".to_owned(),
+        y_label: "steps per ray, including rejected steps".to_owned(),
         curves: chart.curves.iter().map(curve).collect(),
         floor: None,
     }
@@ -133,7 +133,7 @@ fn plot(chart: &SceneChart, label: &str, cost: Cost) -> PrecisionPlot {
     };
     PrecisionPlot {
         title: chart.scene.clone(),
-        x_label: "error that 95 of 100 rays stay under (rad)".to_owned(),
+        x_label: "error, 95th percentile (rad)".to_owned(),
         y_label: label.to_owned(),
         curves: chart.curves.iter().map(curve).collect(),
         floor: Some(chart.floor()).filter(|floor| floor.is_finite()),
@@ -146,7 +146,8 @@ const ERRORS: [f64; 5] = [1e-2, 1e-3, 1e-4, 1e-5, 1e-6];
 /// Returns the fastest method at each error, as header and rows.
 #[must_use]
 pub fn fastest_table(chart: &SceneChart) -> (Vec<String>, Vec<Vec<String>>) {
-    let header = ["error (rad, 95 %)", "fastest", "ns a ray", "evaluations", "wrong ends"].map(str::to_owned).to_vec();
+    let header =
+        ["error (rad, 95 %)", "fastest", "ns per ray", "evaluations", "wrong ends"].map(str::to_owned).to_vec();
     let row = |error: f64| match chart.fastest(error) {
         Some((_, point)) => vec![
             format!("{error:.0e}"),
@@ -155,7 +156,7 @@ pub fn fastest_table(chart: &SceneChart) -> (Vec<String>, Vec<Vec<String>>) {
             format!("{:.0}", point.evaluations),
             point.found.wrong.to_string(),
         ],
-        None => vec![format!("{error:.0e}"), "none arrives".to_owned()],
+        None => vec![format!("{error:.0e}"), "not reached".to_owned()],
     };
     (header, ERRORS.into_iter().map(row).collect())
 }
@@ -164,8 +165,9 @@ fn section(chart: &SceneChart, images: Vec<(PathBuf, String)>) -> Section {
     let [compared, unresolved] = chart.compared;
     let (header, rows) = fastest_table(chart);
     let intro = format!(
-        "Times are medians over {} rays, errors those of {compared} rays against 64 bits; of {unresolved} more the end cannot \
-         be known. No method came closer than {:.1e} rad in 32 bits.",
+        "Times are medians over {} rays. Errors are those of {compared} rays relative to a 64-bit reference \
+         solution; {unresolved} more rays have an unresolved end. The smallest error of any method in 32 bits is \
+         {:.1e} rad.",
         chart.rays,
         chart.floor()
     );

@@ -55,8 +55,8 @@ pub fn fresnel_chart(etas: &[f64]) -> Chart {
         ]
     };
     Chart::linear(
-        "Fresnel's reflectance and transmittance",
-        ["angle of incidence (degrees)", "part of the light"],
+        "Fresnel reflectance and transmittance",
+        ["angle of incidence (degrees)", "fraction of light"],
         etas.iter().flat_map(series).collect(),
     )
 }
@@ -70,7 +70,7 @@ pub fn snell_chart(etas: &[f64]) -> Chart {
         points: angles(eta).into_iter().filter_map(|degrees| point(degrees, eta)).collect(),
     };
     Chart::linear(
-        "Snell's law: no light is transmitted beyond a curve's end",
+        "Snell's law (each curve ends where total reflection begins)",
         ["angle of incidence (degrees)", "angle of refraction (degrees)"],
         etas.iter().map(series).collect(),
     )
@@ -96,8 +96,8 @@ pub fn beer_chart(filters: &[f64], farthest: f64) -> Chart {
         Series::new(format!("c = {c}"), distances.map(|d| [d, c.powf(d)]).collect())
     };
     Chart::linear(
-        "Beer and Lambert's law",
-        ["distance d in the medium", "part of the light, c to the power d"],
+        "Beer-Lambert law",
+        ["distance d in the medium", "fraction of light, c to the power d"],
         filters.iter().map(series).collect(),
     )
 }
@@ -119,7 +119,7 @@ pub fn spiral_chart(ratio: f64) -> Chart {
     };
     Chart::linear(
         format!("Rays in an inverse-r sphere: from S to R = {ratio:.4} S"),
-        ["angle to the circle at the start (degrees)", "angle gone round (radians)"],
+        ["starting angle to the circle (degrees)", "swept angle (radians)"],
         vec![branch("I and II: outwards", 0.0), branch("III and IV: inwards", 180.0)],
     )
 }

@@ -165,7 +165,8 @@ impl Outcome {
     /// Returns the names of the cells.
     #[must_use]
     pub fn header() -> Vec<String> {
-        let names = "place | method | right | given up | over tolerance | settings differ | unresolved | silent | right until τ";
+        let names = "case | method | right | given up | over tolerance | settings differ | unresolved | silent | \
+                     right until τ";
         names.split(" | ").map(str::to_owned).collect()
     }
 }

@@ -96,7 +96,7 @@ impl Sweep<'_> {
         let scene = self.sized(scene);
         let pixels = scattered(scene.image.size, self.compared, 1);
         let starts = Starts::Pixels(&pixels, 1024);
-        progress("truth");
+        progress("reference solution");
         let truth = Truth::new(self.gpu, &scene, TOLERANCE, starts)?;
         let reference = self.reference_picture(&scene)?;
         let mut curves = Vec::new();

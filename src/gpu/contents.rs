@@ -103,7 +103,7 @@ impl SceneBuffers {
 }
 
 fn no_value(binding: &str) -> GpuError {
-    GpuError::Layout { binding: binding.to_owned(), problem: "the scene has no value for it".to_owned() }
+    GpuError::Layout { binding: binding.to_owned(), problem: "the scene provides no value".to_owned() }
 }
 
 /// Uploads like [`upload`], unless a buffer with the same contents exists.

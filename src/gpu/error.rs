@@ -10,7 +10,7 @@ fn others(there: &[String]) -> String {
 fn remedy(limit: &str) -> &'static str {
     match limit {
         "max_storage_buffer_binding_size" => ": use fewer triangles or objects, or a coarser grid",
-        "max_texture_dimension_2d" => ": use a smaller picture for it",
+        "max_texture_dimension_2d" => ": use a smaller image",
         _ => "",
     }
 }
@@ -20,12 +20,13 @@ fn remedy(limit: &str) -> &'static str {
 pub enum GpuError {
     /// There is no adapter.
     #[error(
-        "no Vulkan, Metal or DX12 device found; for one on the processor, install Mesa's: `apt-get install \
-         mesa-vulkan-drivers` (Debian, Ubuntu), `dnf install mesa-vulkan-drivers` (Fedora), `pacman -S vulkan-swrast` (Arch)"
+        "no Vulkan, Metal or DX12 device found; to render on the CPU, install Mesa's lavapipe: `apt-get install \
+         mesa-vulkan-drivers` (Debian, Ubuntu), `dnf install mesa-vulkan-drivers` (Fedora), `pacman -S \
+         vulkan-swrast` (Arch)"
     )]
     NoDevice,
     /// No adapter has this name.
-    #[error("no device named `{wanted}`; there are: {}", .there.join(", "))]
+    #[error("no device named `{wanted}`; available: {}", .there.join(", "))]
     NoSuchDevice {
         /// The requested name.
         wanted: String,
@@ -41,7 +42,7 @@ pub enum GpuError {
         reason: String,
     },
     /// A limit of the device is too low for the scene.
-    #[error("{device} allows {allowed} {what}, and this scene needs {needed} ({limit}){}", remedy(limit))]
+    #[error("{device} allows {allowed} {what}, but this scene needs {needed} ({limit}){}", remedy(limit))]
     Limit {
         /// The adapter's name.
         device: String,
@@ -75,7 +76,7 @@ pub enum GpuError {
         reason: String,
     },
     /// The device has no 64-bit numbers.
-    #[error("{device} has no 64-bit numbers in shaders: use precision f32, or another device{}", others(.there))]
+    #[error("{device} does not support 64-bit floats in shaders: use precision f32, or another device{}", others(.there))]
     NoDouble {
         /// The adapter's name.
         device: String,
@@ -91,7 +92,7 @@ pub enum GpuError {
         problem: String,
     },
     /// The driver rejected a pass.
-    #[error("the driver refused the pass `{pass}`: {reason}")]
+    #[error("the driver rejected the pass `{pass}`: {reason}")]
     Pass {
         /// The entry point of the pass.
         pass: String,
@@ -99,6 +100,6 @@ pub enum GpuError {
         reason: String,
     },
     /// The device stopped answering.
-    #[error("the device stopped answering: {0}")]
+    #[error("the device stopped responding: {0}")]
     Lost(String),
 }

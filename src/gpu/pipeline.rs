@@ -128,7 +128,7 @@ fn check_limits(gpu: &Gpu, reflection: &Reflection) -> Result<(), GpuError> {
 fn entry(binding: &Binding) -> Result<BindGroupLayoutEntry, GpuError> {
     let unknown = |what: &dyn std::fmt::Debug| GpuError::Layout {
         binding: binding.name.clone(),
-        problem: format!("the driver does not know {what:?}"),
+        problem: format!("the driver does not support {what:?}"),
     };
     let sized = |ty, bytes: u64| BindingType::Buffer {
         ty,

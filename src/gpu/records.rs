@@ -77,7 +77,7 @@ fn put<N: AsRef<str>>(
         let field = &layout.fields[*place];
         let (kind, own) = scalars(*value, field.width);
         if kind != field.scalar || own.len() != (field.components * field.width) as usize {
-            return Err(wrong(binding, format!("`{}` is {value:?} here and {field:?} in WGSL", name.as_ref())));
+            return Err(wrong(binding, format!("`{}` is {value:?} on the host but {field:?} in WGSL", name.as_ref())));
         }
         let at = start + field.offset as usize;
         bytes[at..at + own.len()].copy_from_slice(&own);
@@ -100,7 +100,7 @@ fn order<N: AsRef<str>>(
     let order = row.iter().map(found).collect::<Result<Vec<_>, _>>()?;
     let mut missing = layout.fields.iter().enumerate().filter(|(i, _)| !order.contains(i));
     match missing.next().filter(|_| whole) {
-        Some((_, field)) => Err(wrong(binding, format!("the member `{}` was given no value", field.name))),
+        Some((_, field)) => Err(wrong(binding, format!("the member `{}` has no value", field.name))),
         None => Ok(order),
     }
 }
@@ -134,7 +134,7 @@ mod tests {
     #[test]
     fn every_slip_is_refused() {
         let missing = pack("x", &layout(), [[("b", Value::Uint(7))]]).unwrap_err().to_string();
-        assert!(missing.contains("`a` was given no value"), "{missing}");
+        assert!(missing.contains("`a` has no value"), "{missing}");
         let unknown = pack("x", &layout(), [[("c", Value::Uint(7))]]).unwrap_err().to_string();
         assert!(unknown.contains("no member `c`"), "{unknown}");
         let kind = pack("x", &layout(), [[("b", Value::Float(7.0)), ("a", Value::Vec3(DVec3::ONE))]]).unwrap_err();

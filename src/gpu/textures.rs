@@ -44,8 +44,8 @@ pub fn halved_pictures(scene: &Scene, most: u32) -> Vec<String> {
             (picture.size, held_size(picture.size, scene.has_footprints(), most));
         (picture.size != [less_wide, less_high]).then(|| {
             format!(
-                "`{}` has {width}×{height} pixels, and the device's textures at most {most} along a side: it is used at \
-                 {less_wide}×{less_high}",
+                "`{}` has {width}×{height} pixels, more than the device's limit of {most} per side, and is reduced \
+                 to {less_wide}×{less_high}",
                 picture.name
             )
         })
@@ -64,7 +64,7 @@ pub(super) fn upload_picture(gpu: &Gpu, picture: &Picture, averaged: bool) -> Re
     }
     let [width, picture_height] = size;
     let height = if averaged { picture_height + picture_height / 2 } else { picture_height };
-    let what = format!("pixels along one side of a picture (`{}`)", picture.name);
+    let what = format!("pixels along one side of an image (`{}`)", picture.name);
     gpu.check("max_texture_dimension_2d", &what, u64::from(most), u64::from(width.max(height)))?;
     let halves = picture.pixels.iter().flatten().all(|v| *v <= f16::MAX.to_f32());
     let format = if halves { TextureFormat::Rgba16Float } else { TextureFormat::Rgba32Float };

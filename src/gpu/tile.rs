@@ -220,7 +220,7 @@ impl Tile {
     ) -> Result<BindGroup, GpuError> {
         let missing = |binding: &Binding| GpuError::Layout {
             binding: binding.name.clone(),
-            problem: "nothing was made for this binding".to_owned(),
+            problem: "no resource was created".to_owned(),
         };
         let bound = |own: &Binding| self.bound(&own.role, scene, selection).ok_or_else(|| missing(own));
         let all = pipeline.bindings.iter().map(bound).collect::<Result<Vec<_>, _>>()?;

@@ -140,7 +140,7 @@ impl fmt::Display for Trial {
             words = format!("{name} ({settings})");
         }
         if !self.error.is_finite() {
-            return write!(f, "{words}, the default because no method could be tested");
+            return write!(f, "{words}, the default because no method can be measured");
         }
         let within = if self.error == 0.0 {
             "equal to the reference solution".to_owned()

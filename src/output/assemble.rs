@@ -46,7 +46,7 @@ pub fn assemble(parts: &[PathBuf], outputs: &[PathBuf]) -> Result<(), OutputErro
             if let Err((other, x)) = row.put(i, left as usize, parts[i].next_row()?) {
                 let [this, other] = [i, other].map(|k| parts[k].path.display());
                 let problem = format!(
-                    "{this} and {other} disagree at column {x}, row {y}: render both again, from the same scene and by \
+                    "{this} and {other} disagree at column {x}, row {y}: render both again from the same scene with \
                      the same method"
                 );
                 return Err(OutputError::Part { path: outputs.first().cloned().unwrap_or_default(), problem });
@@ -116,16 +116,18 @@ fn alike(first: &Part, part: &Part) -> Result<(), OutputError> {
     let differ = |problem: String| Err(OutputError::Part { path: part.path.clone(), problem });
     if whole.size != own.size {
         let [this, that] = [own, whole].map(|settings| format!("{}x{}", settings.size[0], settings.size[1]));
-        return differ(format!("this is a part of a picture of {this} pixels, and {other} of one of {that}"));
+        return differ(format!(
+            "this is a part of an image of {this} pixels, but {other} is a part of an image of {that}"
+        ));
     }
     if (whole.alpha, &whole.layers) != (own.alpha, &own.layers) {
-        return differ(format!("it has other layers than {other}; render all parts with the same --layers"));
+        return differ(format!("its layers differ from those of {other}; render all parts with the same --layers"));
     }
     let shown = [own, whole].map(|settings| vec![(SHOWN.to_owned(), shown_words(settings))]);
     let found = difference([&own.metadata, &whole.metadata], &[]);
     let Some(found) = found.or_else(|| difference([&shown[0], &shown[1]], &[])) else { return Ok(()) };
     let (key, [this, that]) = (&found.key, [0, 1].map(|which| found.value(which)));
-    differ(format!("its `{key}` is {this}, and that of {other} {that}; render all parts alike"))
+    differ(format!("its `{key}` is {this}, but that of {other} is {that}; render all parts with the same settings"))
 }
 
 /// Returns a region of the image that no window covers, if there is one.

@@ -60,7 +60,7 @@ fn problem(band: &Band, next: u32, [width, height]: [u32; 2], alpha: bool, layer
     }
     if band.width != width || band.rows == 0 || band.rows > height - next {
         return Some(format!(
-            "it is {} by {} pixels, where {width} by 1 to {} remain",
+            "it has {}x{} pixels, but a width of {width} and a height from 1 to {} are expected",
             band.width,
             band.rows,
             height - next
@@ -68,7 +68,7 @@ fn problem(band: &Band, next: u32, [width, height]: [u32; 2], alpha: bool, layer
     }
     let bytes = width as usize * band.rows as usize * size_of::<f32>();
     if band.color.iter().any(|c| size_of_val(c.as_slice()) != bytes) {
-        return Some("a colour plane does not have one value per pixel".into());
+        return Some("a color plane does not have one value per pixel".into());
     }
     if alpha && band.alpha.as_ref().is_none_or(|a| size_of_val(a.as_slice()) != bytes) {
         return Some("the alpha plane is missing, or does not have one value per pixel".into());

@@ -33,12 +33,8 @@ pub const PLACE_COLUMNS: [&str; 3] = ["x", "y", "z"];
 pub fn read_rays(path: &Path, aimed: bool) -> Result<Vec<[f64; 6]>, OutputError> {
     let check = |[.., x, y, z]: &[f64; 6]| {
         let is_aimed = !aimed || x.hypot(*y).hypot(*z) > LEAST_SPEED;
-        let problem = || {
-            format!(
-                "the velocity {} gives the ray no direction; write one that is not 0, such as 0,0,-1",
-                numbers([*x, *y, *z])
-            )
-        };
+        let problem =
+            || format!("the velocity {} has no direction; use a nonzero vector such as 0,0,-1", numbers([*x, *y, *z]));
         if is_aimed { Ok(()) } else { Err(problem()) }
     };
     read_numbers(path, "rays", &RAY_COLUMNS, check)
@@ -46,7 +42,7 @@ pub fn read_rays(path: &Path, aimed: bool) -> Result<Vec<[f64; 6]>, OutputError>
 
 /// Reads a file of positions, as [`read_rays`] reads rays.
 pub fn read_places(path: &Path) -> Result<Vec<[f64; 3]>, OutputError> {
-    read_numbers(path, "places", &PLACE_COLUMNS, |_| Ok(()))
+    read_numbers(path, "points", &PLACE_COLUMNS, |_| Ok(()))
 }
 
 /// Reads rows of numbers; `what` is the name of the rows in messages, and `check` returns the problem of a row.
@@ -88,7 +84,7 @@ fn parse_numbers<const N: usize>(
     let row = |(line, row)| parse_row(row, &order, columns).and_then(checked).map_err(|problem| (line, problem));
     let rows: Vec<_> = lines.map(row).collect::<Result<_, _>>()?;
     if rows.is_empty() {
-        return Err((line, format!("no {what} follow the header; give one per line")));
+        return Err((line, format!("no {what} after the header; write one per line")));
     }
     Ok(rows)
 }
@@ -100,18 +96,18 @@ fn column_order(header: &str, what: &str, columns: &[&str]) -> Result<Vec<usize>
     for (i, name) in header.split(',').map(str::trim).enumerate() {
         let Some(column) = columns.iter().position(|c| *c == name) else {
             return Err(format!(
-                "column {}: `{name}` is not a column of a {what} file; the first line must name {expected}",
+                "column {}: `{name}` is not a valid column for {what}; the first line must contain {expected}",
                 i + 1
             ));
         };
         if order.contains(&column) {
-            return Err(format!("column {}: `{name}` is named twice; keep one", i + 1));
+            return Err(format!("column {}: `{name}` occurs twice; remove one", i + 1));
         }
         order.push(column);
     }
     match (0..columns.len()).find(|column| !order.contains(column)) {
         Some(missing) => Err(format!(
-            "the column `{}` is missing from `{}`; the first line must name {expected}",
+            "missing column `{}` in `{}`; the first line must contain {expected}",
             columns[missing],
             header.trim()
         )),
@@ -122,12 +118,7 @@ fn column_order(header: &str, what: &str, columns: &[&str]) -> Result<Vec<usize>
 fn parse_row<const N: usize>(row: &str, order: &[usize], columns: &[&str; N]) -> Result<[f64; N], String> {
     let fields: Vec<_> = row.split(',').map(str::trim).collect();
     if fields.len() != order.len() {
-        return Err(format!(
-            "`{}` has {} fields; it must have {}, one for each column",
-            row.trim(),
-            fields.len(),
-            order.len()
-        ));
+        return Err(format!("`{}` has {} fields; expected {}, one per column", row.trim(), fields.len(), order.len()));
     }
     let mut numbers = [0.0; N];
     for (i, (field, &column)) in fields.iter().zip(order).enumerate() {
@@ -135,7 +126,7 @@ fn parse_row<const N: usize>(row: &str, order: &[usize], columns: &[&str; N]) ->
             Ok(value) if value.abs() <= 1e30 => value,
             _ => {
                 return Err(format!(
-                    "column {} ({}): `{field}` is not a finite number; write one such as 1.5 or -2e-3",
+                    "column {} ({}): expected a finite number such as 1.5 or -2e-3, found `{field}`",
                     i + 1,
                     columns[column]
                 ));

@@ -39,7 +39,7 @@ pub enum OutputError {
         path: PathBuf,
     },
     /// No file can be created in the folder.
-    #[error("{path}: cannot create a file in {folder}: {cause}; check the folder's permissions, or write elsewhere")]
+    #[error("{path}: cannot create a file in {folder} ({cause}); check the folder's permissions, or write elsewhere")]
     Create {
         /// The requested file.
         path: PathBuf,
@@ -49,7 +49,7 @@ pub enum OutputError {
         cause: io::Error,
     },
     /// Writing failed.
-    #[error("{path}: writing failed: {cause}{} (an older file of this name is untouched)", remedy(cause))]
+    #[error("{path}: writing failed ({cause}){} (an existing file with this name is unchanged)", remedy(cause))]
     Write {
         /// The file being written.
         path: PathBuf,
@@ -60,13 +60,13 @@ pub enum OutputError {
     #[error("standard output could not be written: {0}")]
     Stdout(io::Error),
     /// The extension is not that of a supported image format.
-    #[error("{path}: the name must end in .png (colour to look at) or .exr (every plane, exact)")]
+    #[error("{path}: the name must end in .png (color, for viewing) or .exr (all layers, exact)")]
     Format {
         /// The requested file.
         path: PathBuf,
     },
     /// The extension is not that of a supported plot format.
-    #[error("{path}: the name of a plot must end in .svg (shapes, to print) or .png (pixels)")]
+    #[error("{path}: the name of a plot must end in .svg (vector graphics) or .png (pixels)")]
     PlotFormat {
         /// The requested file.
         path: PathBuf,
@@ -90,7 +90,7 @@ pub enum OutputError {
         problem: String,
     },
     /// The image was finished before its last row.
-    #[error("{path}: only {rows} of {height} rows were written; write the rest before finishing (no file was made)")]
+    #[error("{path}: only {rows} of {height} rows were written; write the rest before finishing (no file was created)")]
     Incomplete {
         /// The image being written.
         path: PathBuf,
@@ -100,7 +100,7 @@ pub enum OutputError {
         height: u32,
     },
     /// The encoder failed.
-    #[error("{path}: the picture could not be encoded: {problem}")]
+    #[error("{path}: the image could not be encoded: {problem}")]
     Encode {
         /// The image being written.
         path: PathBuf,
@@ -108,7 +108,7 @@ pub enum OutputError {
         problem: String,
     },
     /// A file could not be read.
-    #[error("{path}: cannot read the file: {cause}; check its name and permissions")]
+    #[error("{path}: cannot read the file ({cause}); check its name and permissions")]
     Read {
         /// The requested file.
         path: PathBuf,

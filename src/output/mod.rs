@@ -87,23 +87,24 @@ impl FileSettings {
         let side = 1..=i32::MAX as u32;
         if !side.contains(&width) || !side.contains(&height) {
             return Some(format!(
-                "a picture of {width} by {height} pixels cannot be stored; each side must be 1 to {}",
+                "cannot store an image of {width}x{height} pixels; each side must be from 1 to {} pixels",
                 i32::MAX
             ));
         }
         if !self.window.fits(self.size) || self.window.size.contains(&0) {
-            return Some(format!("{} is not inside the picture of {width} by {height} pixels", self.window));
+            return Some(format!("the window {} is not inside the image of {width}x{height} pixels", self.window));
         }
         self.metadata.iter().enumerate().find_map(|(i, (key, text))| {
             let printable = key.bytes().all(|b| (b' '..=b'~').contains(&b));
             if !(1..=79).contains(&key.len()) || !printable || key.trim() != key {
                 Some(format!(
-                    "the metadata key {key:?} must be 1 to 79 printable ASCII characters, without outer spaces"
+                    "the metadata key {key:?} must be 1 to 79 printable ASCII characters, without leading or \
+                     trailing spaces"
                 ))
             } else if self.metadata[..i].iter().any(|(other, _)| other == key) {
                 Some(format!("the metadata key {key:?} is given twice; keep one"))
             } else if text.contains('\0') {
-                Some(format!("the metadata text of {key:?} holds a NUL character; remove it"))
+                Some(format!("the metadata text of {key:?} contains a NUL character; remove it"))
             } else {
                 None
             }

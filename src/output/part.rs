@@ -58,7 +58,7 @@ impl Part {
         let wrong = |problem: String| OutputError::Part { path: path.to_owned(), problem };
         let reader = reader(path)?;
         let [header] = reader.headers() else {
-            return Err(wrong("it has several layers; only pictures that `render` wrote can be put together".into()));
+            return Err(wrong("it has several layers; only images written by `render` can be merged".into()));
         };
         let bytes = std::fs::metadata(path).map_err(|cause| OutputError::Read { path: path.to_owned(), cause })?.len();
         if let Some(problem) = unlikely_exr(header, bytes) {
@@ -71,10 +71,10 @@ impl Part {
                 && header.line_order == LineOrder::Increasing
         });
         let settings = settings.ok_or_else(|| {
-            wrong("this is no picture that `render` wrote, and only those can be put together".into())
+            wrong("this image was not written by `render`, and only such images can be merged".into())
         })?;
         if !settings.window.fits(settings.size) {
-            return Err(wrong(format!("the part {} is not inside its picture", settings.window)));
+            return Err(wrong(format!("the window {} is not inside its image", settings.window)));
         }
         Ok(Self { path: path.to_owned(), settings, row_bytes: row_bytes(header), reading: None })
     }
@@ -87,7 +87,7 @@ impl Part {
             let blocks = chunks.sequential_decompressor(false);
             self.reading = Some(Reading { blocks, data: Vec::new(), used: 0, next: 0 });
         }
-        let cut_short = || OutputError::Part { path: path.clone(), problem: "the file is cut short".into() };
+        let cut_short = || OutputError::Part { path: path.clone(), problem: "the file is truncated".into() };
         let reading = self.reading.as_mut().ok_or_else(cut_short)?;
         if reading.used == reading.data.len() {
             let block = reading.blocks.decompress_next_block().ok_or_else(cut_short)?;
@@ -159,6 +159,6 @@ fn failed(path: &Path, error: ExrError) -> OutputError {
     let path = path.to_owned();
     match error {
         ExrError::Io(cause) => OutputError::Read { path, cause },
-        other => OutputError::Part { path, problem: format!("this is not a whole EXR: {other}") },
+        other => OutputError::Part { path, problem: format!("this is not a complete EXR: {other}") },
     }
 }

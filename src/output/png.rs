@@ -133,16 +133,15 @@ fn drain(encoded: &Receiver<Vec<u8>>, file: &mut AtomicFile) -> Result<(), Outpu
 
 fn problem(settings: &FileSettings) -> Option<String> {
     if !matches!(settings.bits, 8 | 16) {
-        return Some(format!("a PNG has 8 or 16 bits per channel, not {}", settings.bits));
+        return Some(format!("expected 8 or 16 bits per channel for a PNG, found {}", settings.bits));
     }
     if !(-MAX_STOPS..=MAX_STOPS).contains(&settings.exposure) {
         return Some(format!(
-            "the exposure is {} stops; it must be from -{MAX_STOPS} to {MAX_STOPS}",
+            "expected an exposure from -{MAX_STOPS} to {MAX_STOPS} stops, found {}",
             settings.exposure
         ));
     }
-    (!settings.layers.is_empty())
-        .then(|| "a PNG holds only colour; write an .exr for the layers, or leave them out".into())
+    (!settings.layers.is_empty()).then(|| "a PNG stores only color; write an .exr for the layers, or omit them".into())
 }
 
 fn encoder(outbox: Outbox, settings: &FileSettings) -> Result<StreamWriter<'static, Outbox>, EncodingError> {

@@ -20,7 +20,9 @@ pub fn said(path: &Path, key: &str) -> Result<String, OutputError> {
         () if has_extension(path, "png") => said_by_png(path, key)?,
         () => return Err(OutputError::Format { path: path.to_owned() }),
     };
-    text.ok_or_else(|| unsaid(path, format!("it does not say `{key}`, as pictures of this version of `render` do")))
+    text.ok_or_else(|| {
+        unsaid(path, format!("it has no metadata `{key}`, which images from this version of `render` contain"))
+    })
 }
 
 /// Returns the settings with which the image at `path` was written: all of [`FileSettings`], with texts sorted by key.
@@ -44,7 +46,7 @@ pub fn settings_of(path: &Path) -> Result<FileSettings, OutputError> {
         ..FileSettings::new([info.width, info.height])
     };
     let settings = with_part(settings, &own[0]).and_then(|settings| with_shown(settings, &own[1]));
-    settings.ok_or_else(|| unsaid(path, "this is no picture that `render` wrote".to_owned()))
+    settings.ok_or_else(|| unsaid(path, "this image was not written by `render`".to_owned()))
 }
 
 fn said_by_png(path: &Path, key: &str) -> Result<Option<String>, OutputError> {
@@ -56,7 +58,7 @@ fn said_by_png(path: &Path, key: &str) -> Result<Option<String>, OutputError> {
 /// Returns a reader that has read everything before the pixels.
 fn png_reader(path: &Path) -> Result<png::Reader<BufReader<File>>, OutputError> {
     let file = File::open(path).map_err(|cause| OutputError::Read { path: path.to_owned(), cause })?;
-    let broken = |error: png::DecodingError| unsaid(path, format!("this is not a whole PNG: {error}"));
+    let broken = |error: png::DecodingError| unsaid(path, format!("this is not a complete PNG: {error}"));
     png::Decoder::new(BufReader::new(file)).read_info().map_err(broken)
 }
 

@@ -46,11 +46,12 @@ impl Schedule {
     #[must_use]
     pub fn meaning(self) -> &'static str {
         match self {
-            Self::Paper => "One pass for every integration step, as in 2004",
-            Self::Segment => "One pass a stage a segment",
-            Self::Fused => "K segments with all their stages in one pass",
+            Self::Paper => "One dispatch per integration step and stage, as in Weiskopf et al. (2004)",
+            Self::Segment => "One dispatch per segment and stage",
+            Self::Fused => "Wavefront: K segments with all their stages per dispatch",
             Self::Whole => {
-                "A path in one pass, from the camera to its colour; as `fused` where it does not fit into one"
+                "Megakernel: one dispatch per path, from the camera to the color; falls back to `fused` for paths \
+                 that are too long"
             }
         }
     }

@@ -136,7 +136,11 @@ pub(super) fn declarations(tokens: Tokens<'_>) -> Result<Vec<Declaration<'_>>, S
         let (head, named) = head(&tokens, from)?;
         let end = end(&tokens, from).ok_or_else(|| Slip {
             origin: tokens.origin(head),
-            message: format!("`{} {}` has no end: a `}}` or a `;` is missing", tokens.word(head), tokens.word(named)),
+            message: format!(
+                "`{} {}` is not closed: add the missing `}}` or `;`",
+                tokens.word(head),
+                tokens.word(named)
+            ),
         })?;
         places.push((from..end + 1, head - from, named - from));
         from = end + 1;
@@ -246,7 +250,7 @@ mod tests {
     #[test]
     fn what_cannot_be_split_is_refused() {
         for (source, at, message) in [
-            ("fn f() {", 0, "`fn f` has no end: a `}` or a `;` is missing"),
+            ("fn f() {", 0, "`fn f` is not closed: add the missing `}` or `;`"),
             ("fn f() {}\n}", 10, "expected `fn`, `struct`, `alias`, `const`, `override` or `var`, found `}`"),
             ("enable f16;", 0, "expected `fn`, `struct`, `alias`, `const`, `override` or `var`, found `enable`"),
             (

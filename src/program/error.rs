@@ -8,7 +8,7 @@ use super::place::Place;
 #[derive(Debug, Error)]
 pub enum ProgramError {
     /// A module that does not exist was requested.
-    #[error("there is no shader part `{0}`")]
+    #[error("unknown shader module `{0}`")]
     NoPart(String),
     /// Two of the chosen modules declare the same name.
     #[error("{place}: `{name}` is already declared in {other}")]
@@ -21,7 +21,7 @@ pub enum ProgramError {
         other: String,
     },
     /// A name that the linker reserves for itself.
-    #[error("{place}: `{name}` is a name that programs use for something else: choose another")]
+    #[error("{place}: the name `{name}` is reserved by the renderer; choose another name")]
     Reserved {
         /// The location of the name.
         place: Place,
@@ -29,11 +29,12 @@ pub enum ProgramError {
         name: String,
     },
     /// None of the modules contains the entry point.
-    #[error("no part declares the entry point `{0}`")]
+    #[error("no shader module declares the entry point `{0}`")]
     NoEntry(String),
     /// A name with a copy per region that is not a function, or a function whose signature needs a type that has copies itself.
     #[error(
-        "{place}: `{name}` has a copy for each kind of region, but is used by all: only functions over shared types can be chosen between"
+        "{place}: `{name}` has a copy for each kind of region, but shared code uses it; only functions with shared \
+         types can be selected per region"
     )]
     NotSwitchable {
         /// The location of the declaration.
@@ -50,7 +51,7 @@ pub enum ProgramError {
         message: String,
     },
     /// A binding that is neither the renderer's nor a value of the scene, or has a type that no pass binds.
-    #[error("{place}: the renderer has nothing to bind to `{name}`")]
+    #[error("{place}: the renderer provides no resource for the binding `{name}`")]
     UnknownBinding {
         /// The location of the declaration.
         place: Place,
@@ -59,7 +60,8 @@ pub enum ProgramError {
     },
     /// More items than the bits of a primitive can distinguish.
     #[error(
-        "the scene shows {items} triangles and other shapes in its structure, and {most} can be told apart: show fewer"
+        "the scene has {items} primitives in its acceleration structure, but at most {most} are supported; use fewer \
+         triangles or objects"
     )]
     TooManyItems {
         /// The number of items in the scene.

@@ -252,7 +252,7 @@ mod tests {
             ..Parts::default()
         };
         let error = link(&parts, "entry").unwrap_err().to_string();
-        assert_eq!(error, "law/a.wgsl:2:1: `fn f` has no end: a `}` or a `;` is missing");
+        assert_eq!(error, "law/a.wgsl:2:1: `fn f` is not closed: add the missing `}` or `;`");
     }
 
     #[test]
@@ -310,6 +310,6 @@ mod tests {
         let slip = linked(&plain.replace("y.x", "y.q")).unwrap_err().to_string();
         assert!(slip.starts_with("law/a.wgsl:3:26: "), "{slip}");
         let taken = linked(&plain.replace("(x:", "(law_0:")).unwrap_err().to_string();
-        assert!(taken.starts_with("law/a.wgsl:2:19: `law_0` is a name"), "{taken}");
+        assert!(taken.starts_with("law/a.wgsl:2:19: the name `law_0` is reserved"), "{taken}");
     }
 }

@@ -49,7 +49,7 @@ pub(super) fn checked(own: &OwnWgsl) -> Result<(Unit, Vec<&'static str>), Progra
             }
             (None, Some(part)) => usual.push(part),
             (None, None) => {
-                let message = format!("the file has no `{}`: it has to declare one", promise.signature);
+                let message = format!("the file must declare `{}`", promise.signature);
                 return Err(refuse(Origin { unit: 0, at: unit.text.len() }, message));
             }
         }
@@ -72,30 +72,35 @@ fn unfit(declaration: &Declaration) -> Option<(Origin, String)> {
     let tokens = &declaration.tokens;
     let at = |i: usize| tokens.origin(i);
     if tokens.word(0) == "@" {
-        let message = "attributes and bindings are the program's: declare parameters in the scene";
+        let message = "attributes and bindings are not allowed here; declare parameters in the scene";
         return Some((at(0), message.to_owned()));
     }
     if declaration.keyword() == "override" {
-        return Some((at(0), "write `const`: nothing overrides it here".to_owned()));
+        return Some((at(0), "`override` is not allowed here; use `const`".to_owned()));
     }
     let private = ["var", "<", "private", ">"];
     if declaration.keyword() == "var" && (0..4).any(|i| tokens.word(i) != private[i]) {
-        return Some((at(0), "a variable of a file is `var<private>`".to_owned()));
+        return Some((at(0), "a module variable must be `var<private>`".to_owned()));
     }
     if declaration.keyword() != "fn" {
         return None;
     }
     (0..tokens.len()).find_map(|i| match tokens.word(i) {
-        word @ ("loop" | "while") => {
-            Some((at(i), format!("`{word}` may never end: write `for (var i = 0u; i < 8u; i++)`, with a number")))
-        }
+        word @ ("loop" | "while") => Some((
+            at(i),
+            format!(
+                "`{word}` is not allowed, because it may never end; use `for (var i = 0u; i < 8u; i++)` with \
+                 constant bounds"
+            ),
+        )),
         "for" if length(tokens, i).is_none() => {
-            let message = "the length of a loop has to be written: `for (var i = 0u; i < 8u; i++)`, with i left alone";
+            let message = "a loop must have constant bounds, as in `for (var i = 0u; i < 8u; i++)`, and must not \
+                           change its counter";
             Some((at(i), message.to_owned()))
         }
         word if tokens.word(i + 1) == "(" && tokens.before(i) != "fn" => {
             let (_, instead) = INEXACT.iter().find(|(names, _)| names.contains(&word))?;
-            Some((at(i), format!("WGSL's own `{word}` is weak in 32 bits and wrong in 64: use {instead}")))
+            Some((at(i), format!("the built-in `{word}` is inaccurate in 32 bits and wrong in 64 bits: use {instead}")))
         }
         _ => None,
     })

@@ -29,7 +29,7 @@ pub fn validated(linked: &Linked) -> Result<Module, ProgramError> {
     })?;
     match huge(&module) {
         Some((span, bytes)) => {
-            let message = format!("this variable takes {bytes} bytes, and a ray has room for {MOST} in one");
+            let message = format!("this variable takes {bytes} bytes, more than the limit of {MOST} bytes per ray");
             Err(at(&mut std::iter::once(span), message))
         }
         None => Ok(module),

@@ -22,7 +22,8 @@ pub enum RenderError {
     NoCamera,
     /// The requested window is not inside the image.
     #[error(
-        "{window} is not inside the picture of {} by {} pixels: a part is X,Y,WxH, its left column, top row and size",
+        "the window {window} is not inside the image of {}x{} pixels; use X,Y,WxH with its left column, top row and \
+         size",
         .picture[0], .picture[1]
     )]
     Window {
@@ -33,8 +34,8 @@ pub enum RenderError {
     },
     /// The lights' grids alone exceed the memory budget.
     #[error(
-        "the lights' grids have {voxels} voxels together and need {needed} bytes of device memory, and {allowed} are allowed: give them \
-         more, or the lights fewer `voxels`"
+        "the photon grids have {voxels} voxels and need {needed} bytes of device memory, but {allowed} are allowed: \
+         raise --memory, or lower the `voxels` of the lights"
     )]
     LightGrid {
         /// The number of voxels of all lights.
@@ -46,23 +47,23 @@ pub enum RenderError {
     },
     /// More light passed through a voxel than its sums can hold.
     #[error(
-        "light {light} (from 0): its paths wind more often through one voxel of its grid than that can count; give it more `voxels`"
+        "lights[{light}]: its paths cross one voxel of the photon grid more often than it can count; raise `voxels`"
     )]
     LightLost {
         /// The index of the light in the scene file.
         light: usize,
     },
     /// The camera has no ray for a pixel, for example outside the disk of a fisheye.
-    #[error("the camera has no ray through pixel {},{}: the picture shows nothing there", .pixel[0], .pixel[1])]
+    #[error("the camera has no ray through pixel {},{}, where the image is empty", .pixel[0], .pixel[1])]
     NoRay {
         /// The column and row of the pixel.
         pixel: [u32; 2],
     },
     /// The scene requires another program than the compiled one.
-    #[error("this scene needs another program than the one that was compiled")]
+    #[error("this scene requires a different shader program than the compiled one")]
     OtherProgram,
     /// The measurement needs the time of a pass, which the device cannot measure.
-    #[error("this device does not tell how long its passes take: it has no timestamp queries")]
+    #[error("this device cannot time its passes, because it has no timestamp queries")]
     NoTimes,
     /// The consumer of finished rows failed.
     #[error("{0}")]

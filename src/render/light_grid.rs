@@ -131,7 +131,7 @@ fn fields(
     // Guiding grids do not depend on the available memory, so that an image does not change with it.
     let room = if guides { GUIDE_PARTS } else { (settings.memory - all) / FOR_BRICKS / light_bytes(1) };
     let room = room.min((limit / part).saturating_sub(coarse)) / wanted.len() as u64;
-    let stage = gpu.progress.counted(if guides { "light guide" } else { "light grid" }, wanted.len());
+    let stage = gpu.progress.counted(if guides { "path guiding grid" } else { "photon grid" }, wanted.len());
     let make = |(i, (light, volume))| {
         let made = maker.make(light, volume, room);
         stage.reach((i + 1) as f64);

@@ -84,7 +84,7 @@ impl<'a> LightTracer<'a> {
         let (each, started) = (all_shots(&prepared.scene), Instant::now());
         let mut clock = Clock::new(prepared.gpu, true);
         let (mut found, mut totals) = (Vec::with_capacity(pairs.len()), Totals::default());
-        let stage = prepared.gpu.progress.measured("shooting rays at lights", pairs.len() as f64);
+        let stage = prepared.gpu.progress.measured("tracing rays to lights", pairs.len() as f64);
         let abreast = constant("pass/shots", "ABREAST") as usize;
         for batch in pairs.chunks(BATCH / each) {
             // One ray searches for each path. A row is padded with positions that coincide with their light.

@@ -37,7 +37,7 @@ pub fn trace_paths(
         Tracer::new(gpu, &scene, RenderSettings { choice, ..settings.clone() }, Purpose::Trace)?;
     let batch = (PATH_RECORDS / (scene.rays.max_segments as usize + 1)).clamp(1, BATCH);
     let mut paths = Vec::with_capacity(rays.len());
-    let stage = gpu.progress.measured("following paths", rays.len() as f64);
+    let stage = gpu.progress.measured("tracing paths", rays.len() as f64);
     for batch in rays.chunks(batch) {
         paths.extend(trace_batch_paths(&mut prepared, batch)?);
         stage.advance(batch.len() as f64);

@@ -78,7 +78,7 @@ impl<'a> Prepared<'a> {
         let scope = gpu.device.push_error_scope(ErrorFilter::OutOfMemory);
         let buffers = SceneBuffers::new(gpu, &scene, &geometry, &program, &grids.fields, segments, (None, None))?;
         if let Some(error) = pollster::block_on(scope.pop()) {
-            let what = "the scene's objects, pictures and grids".to_owned();
+            let what = "the scene's objects, images and grids".to_owned();
             return Err(GpuError::Full { what, reason: error.to_string() }.into());
         }
         let max_segments = scene.rays.max_segments;
@@ -177,7 +177,7 @@ impl<'a> Prepared<'a> {
     pub(super) fn layout(&self, role: &Role) -> Result<&Layout, GpuError> {
         self.program.layout(role).ok_or_else(|| GpuError::Layout {
             binding: role.to_string(),
-            problem: "the program does not bind it".to_owned(),
+            problem: "the program has no such binding".to_owned(),
         })
     }
 

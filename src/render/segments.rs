@@ -31,7 +31,7 @@ impl Renderer<'_> {
         }
         let useful = 1 + CHOICES.iter().filter(|segments| **segments < self.prepared.max_segments).count();
         let mut times: Vec<_> = CHOICES.into_iter().take(useful).map(|segments| (segments, Duration::MAX)).collect();
-        let stage = self.prepared.gpu.progress.measured("choosing the segments per pass", f64::from(RUNS));
+        let stage = self.prepared.gpu.progress.measured("choosing the number of segments per pass", f64::from(RUNS));
         // Alternate between candidates, so that a slow moment affects all. The first run includes compilation, so its times exclude none.
         for run in 0..RUNS {
             for (segments, least) in &mut times {

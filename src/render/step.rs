@@ -75,10 +75,10 @@ impl fmt::Display for Step {
             Dispatch::Listed => format!("list {}", self.read),
             Dispatch::ListedLater => format!("all pixels, in later rounds list {}", self.read),
         };
-        let again = if self.again { ", goes on with suspended walks" } else { "" };
+        let again = if self.again { ", continues suspended traversals" } else { "" };
         write!(
             f,
-            "{:<11} over {over}; state {input} -> {output}; adds to list {}{again}",
+            "{:<11} over {over}; state {input} -> {output}; appends to list {}{again}",
             self.pass.entry(),
             self.written
         )

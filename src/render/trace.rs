@@ -92,7 +92,7 @@ impl<'a> Tracer<'a> {
         let started = std::time::Instant::now();
         let count = starts.len();
         let mut traced = Vec::with_capacity(count);
-        let stage = prepared.gpu.progress.measured("following rays", count as f64);
+        let stage = prepared.gpu.progress.measured("tracing rays", count as f64);
         while traced.len() < count {
             let part = traced.len()..count.min(traced.len() + BATCH);
             let (tile, sample) = match starts {

@@ -126,7 +126,7 @@ fn a_device_that_is_not_there_is_answered_with_those_that_are() {
     folder.write("a.png", "an old picture");
     folder.write("rays.csv", "x,y,z,vx,vy,vz\n0,0,5,0,0,-1\n");
     let devices = folder.run("devices").succeeds().out;
-    let texts = ["no device named `nosuch`; there are: ", devices.split_whitespace().next().unwrap()];
+    let texts = ["no device named `nosuch`; available: ", devices.split_whitespace().next().unwrap()];
     folder.run("render scene.toml -o a.png --device nosuch").fails(1, &texts);
     folder.run("trace scene.toml --rays rays.csv -o a.png --device nosuch").fails(1, &texts);
     assert_eq!(folder.text("a.png"), "an old picture");

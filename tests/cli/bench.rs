@@ -9,7 +9,7 @@ const SMALL: &str = "--size 16x16 --repeats 1";
 fn a_report_is_printed_and_written() {
     let folder = Folder::with(BALL);
     let ran = folder.run(&format!("bench schedules {SMALL} -o report")).succeeds();
-    for word in ["paper", "segment", "fused", "whole", "masks (s)", "16×16"] {
+    for word in ["paper", "segment", "fused", "whole", "early termination (s)", "16×16"] {
         assert!(ran.out.contains(word), "{word}: {}", ran.out);
     }
     let csv = folder.text("report/schedules_schedules.csv");
@@ -33,9 +33,9 @@ fn json_is_for_scripts() {
     let tables = &json["tables"];
     assert_eq!(tables["ceilings"].as_array().unwrap().len(), 3);
     let [hole, ball] = tables["scenes"].as_array().unwrap().as_slice() else { panic!("{tables}") };
-    assert!(hole["faster over bare"].as_f64().unwrap() > 0.0 && hole["steps a ray"].as_f64().unwrap() > 10.0);
+    assert!(hole["faster relative to bare"].as_f64().unwrap() > 0.0 && hole["steps per ray"].as_f64().unwrap() > 10.0);
     // In straight space there are no steps.
-    assert!(ball["faster over bare"].is_null() && ball["method"] == "exact");
+    assert!(ball["faster relative to bare"].is_null() && ball["method"] == "exact");
     assert_eq!((&json["name"], &json["repeats"], &json["size"]), (&"limit".into(), &1.into(), &vec![16, 16].into()));
 }
 
@@ -49,8 +49,8 @@ fn sampling_has_an_error_for_every_number_of_samples() {
     assert_eq!((rows.len(), tables["judged"].as_array().unwrap().len()), (8, 1));
     let number = |row: usize, key: &str| rows[row][key].as_f64().unwrap();
     assert!(number(0, "RMSE") > 2.0 * number(2, "RMSE") && number(3, "RMSE") < number(2, "RMSE"), "{tables}");
-    assert_eq!((number(3, "samples a pixel"), number(2, "of uniform 16")), (64.0, 1.0));
-    assert!(number(6, "samples a pixel") < 16.0 && number(6, "at the cap (%)") < 50.0, "{tables}");
+    assert_eq!((number(3, "samples per pixel"), number(2, "relative to uniform 16")), (64.0, 1.0));
+    assert!(number(6, "samples per pixel") < 16.0 && number(6, "at the cap (%)") < 50.0, "{tables}");
     assert_eq!(folder.text("report/sampling_scenes.csv").lines().count(), 9);
     assert!(folder.text("report/sampling_error.svg").contains("RMSE"));
 }
@@ -74,7 +74,7 @@ fn aims_and_guide_are_worth_their_time() {
 fn the_list_is_held_against_masks() {
     let folder = Folder::with(BALL);
     let ran = folder.run(&format!("bench compaction scene.toml {SMALL} -o report")).succeeds();
-    assert!(ran.out.contains("list over masks"), "{}", ran.out);
+    assert!(ran.out.contains("speedup by compaction"), "{}", ran.out);
     assert_eq!(folder.text("report/compaction_compaction.csv").lines().count(), 5);
 }
 
@@ -89,7 +89,7 @@ fn a_start_is_measured_by_its_parts() {
         let number = |name: &str| row[name].as_f64().unwrap();
         let parts = ["scene", "device", "program", "method", "first image"].map(number);
         assert!((parts.iter().sum::<f64>() - number("launch to first pixel (s)")).abs() < 0.01, "{row}");
-        assert!(number("second picture (s)") > 0.0);
+        assert!(number("second image (s)") > 0.0);
     }
     assert_eq!((&cold["cache"], &warm["cache"]), (&"empty".into(), &"filled".into()));
 }

@@ -31,7 +31,7 @@ fn difference(a: &RgbaImage, b: &RgbaImage) -> f64 {
 fn films_without_ffmpeg_hold_the_frames() {
     let folder = film();
     let ran = folder.run("render scene.toml -o film.png -o film.gif --frames all").succeeds();
-    ran.says(&["film.png: 5 frames, 30 a second", "film.gif: 5 frames, 30 a second"]);
+    ran.says(&["film.png: 5 frames, 30 per second", "film.gif: 5 frames, 30 per second"]);
     assert_eq!(folder.names(), ["film.gif", "film.png", "scene.toml"]);
     let open = |name: &str| BufReader::new(File::open(folder.path(name)).unwrap());
     let frames = PngDecoder::new(open("film.png")).unwrap().apng().unwrap().into_frames();
@@ -79,7 +79,7 @@ fn videos_are_refused_without_ffmpeg() {
     let mut without = folder.command("render scene.toml -o film.mp4 --frames all");
     let said = without.env("PATH", "").output().unwrap();
     let said = String::from_utf8(said.stderr).unwrap();
-    assert!(said.contains("film.mp4: video is made by ffmpeg, which is not in the path: install it"), "{said}");
+    assert!(said.contains("film.mp4: .mp4 and .webm require ffmpeg, which is not in the PATH; install it"), "{said}");
     assert_eq!(folder.names(), ["scene.toml"]);
 }
 
@@ -110,11 +110,15 @@ fn what_is_no_film_is_refused() {
     folder.run("render scene.toml -o a.png").succeeds();
     folder.run("render scene.toml -o b.png --size 8x8").succeeds();
     for (arguments, code, text) in [
-        ("video a.png b.png -o c.gif", 1, "b.png: cannot be a frame of a film: it has 8x8 pixels, and a.png 16x12"),
-        ("video a.png scene.toml -o c.gif", 1, "scene.toml: cannot be a frame of a film"),
-        ("video a.png none.png -o c.gif", 1, "none.png: cannot be a frame of a film"),
+        (
+            "video a.png b.png -o c.gif",
+            1,
+            "b.png: cannot be a frame of a video: it has 8x8 pixels, but a.png has 16x12",
+        ),
+        ("video a.png scene.toml -o c.gif", 1, "scene.toml: cannot be a frame of a video"),
+        ("video a.png none.png -o c.gif", 1, "none.png: cannot be a frame of a video"),
         ("video a.png -o a.png", 1, "a.png is one of the frames and would be overwritten"),
-        ("video a.png -o c.avi", 1, "c.avi: the name of a film must end in .mp4, .webm, .gif, .png or .apng"),
+        ("video a.png -o c.avi", 1, "c.avi: the name of a video must end in .mp4, .webm, .gif, .png or .apng"),
         ("video a.png -o c.gif --rate 0", 2, "expected a number of frames per second from 0.1 to 1000, found `0`"),
         ("render scene.toml -o c.exr --frames all", 1, "c.exr: --frames writes one file per frame"),
         ("render scene.toml -o c.gif", 1, "c.gif: a video consists of frames; add --frames all"),
@@ -151,7 +155,7 @@ fn a_film_is_repeated_without_its_frames() {
 fn what_no_film_can_be_is_refused_before_its_frames() {
     let folder = film();
     let ran = folder.run("render scene.toml -o film.gif --frames all --size 65536x1");
-    ran.fails(1, &["film.gif", "a side of 65536 pixels is more than the 65535 of .gif"]);
+    ran.fails(1, &["film.gif", "a side of 65536 pixels exceeds the limit of 65535 for .gif"]);
     folder.run("render scene.toml -o film.mp4").fails(1, &["film.mp4: a video consists of frames; add --frames all"]);
     assert_eq!(folder.names(), ["scene.toml"]);
 }

@@ -39,7 +39,7 @@ fn what_cannot_be_lit_is_said() {
     folder.write("rays.csv", "x,y,z,vx\n1,2,3,4\n");
     folder
         .run("light scene.toml --at rays.csv -o -")
-        .fails(1, &["rays.csv: line 1", "`vx` is not a column of a places file"]);
+        .fails(1, &["rays.csv: line 1", "`vx` is not a valid column for points"]);
     folder.write("scene.toml", HOLE.replace("\"curved-rays\"", "\"straight-rays\""));
     folder.run("light scene.toml --at places.csv -o -").fails(1, &["requires a light with shadows = \"curved-rays\""]);
 }
@@ -52,11 +52,11 @@ fn grids_say_what_they_take() {
         [[lights]]\nkind = \"point\"\nposition = [0, 2, 0]\nfalloff = \"inverse-square\"\nshadows = \"photon-grid\"\nvoxels = 24\n";
     let folder = Folder::with(scene);
     let checked = folder.run("check scene.toml").succeeds();
-    assert!(checked.out.contains("a grid of 24×5×24 voxels, 65536 paths"), "{}", checked.out);
+    assert!(checked.out.contains("photon grid of 24×5×24 voxels, 65536 paths"), "{}", checked.out);
     folder.run("render scene.toml -o out.png").succeeds().says(&["lights[0]: 24×5×24 voxels", "MiB"]);
     let ran = folder.run("render scene.toml -o no.png --memory 64KiB");
     assert_eq!(ran.code, Some(1), "{}", ran.err);
-    ran.says(&["error: the lights' grids have 2880 voxels together and need", "and 65536 are allowed"]);
+    ran.says(&["error: the photon grids have 2880 voxels and need", "but 65536 are allowed"]);
     assert!(!folder.names().contains(&"no.png".to_owned()));
     folder.write("places.csv", "x,y,z\n0.3,0.3,0.2\n0,8,0\n");
     let ran = folder.run("light scene.toml --at places.csv -o -").succeeds();

@@ -82,7 +82,7 @@ fn the_method_from_a_picture_is_repeated() {
         .run("render scene.toml -o b.exr --method-from a.png")
         .fails(1, &["--method-from a.png:1:13: planar needs a law with a single centre", "rays.method=\"planar\"\n"]);
     folder.write("no.png", "no picture");
-    folder.run("render scene.toml -o b.exr --method-from no.png").fails(1, &["no.png: this is not a whole PNG"]);
+    folder.run("render scene.toml -o b.exr --method-from no.png").fails(1, &["no.png: this is not a complete PNG"]);
     folder.run("render scene.toml -o b.exr --method-from none.exr").fails(1, &["none.exr: cannot read the file"]);
     folder.run("render scene.toml -o b.exr --method-from scene.toml").fails(1, &["scene.toml: the name must end in"]);
 }

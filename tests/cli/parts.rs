@@ -47,8 +47,11 @@ fn parts_of_other_pictures_are_refused() {
     folder.run("render scene.toml -o left.exr --crop 0,0,9x12").succeeds();
     folder.write("whole.exr", "an old whole");
     for (more, text) in [
-        ("--size 16x13", "right.exr: this is a part of a picture of 16x13 pixels, and left.exr of one of 16x12"),
-        ("--layers depth", "right.exr: it has other layers than left.exr"),
+        (
+            "--size 16x13",
+            "right.exr: this is a part of an image of 16x13 pixels, but left.exr is a part of an image of 16x12",
+        ),
+        ("--layers depth", "right.exr: its layers differ from those of left.exr"),
         ("--set rays.method=rk4", "right.exr: its `method` is `rk4, scaled_step"),
         (
             "--set sky.color=[1,0,0]",
@@ -65,7 +68,7 @@ fn parts_of_other_pictures_are_refused() {
         folder.run("merge left.exr right.exr -o whole.exr").fails(1, &[text]);
     }
     folder.run("merge left.exr nothing.exr -o whole.exr").fails(1, &["nothing.exr: cannot read the file"]);
-    folder.run("merge left.exr scene.toml -o whole.exr").fails(1, &["scene.toml: this is not a whole EXR"]);
+    folder.run("merge left.exr scene.toml -o whole.exr").fails(1, &["scene.toml: this is not a complete EXR"]);
     folder.run("merge left.exr -o whole.jpg").fails(1, &["whole.jpg: the name must end in .png"]);
     assert_eq!(folder.text("whole.exr"), "an old whole");
 }
@@ -74,8 +77,8 @@ fn parts_of_other_pictures_are_refused() {
 fn parts_and_budgets_that_cannot_be_are_refused() {
     let folder = Folder::with(BALL);
     for (arguments, code, text) in [
-        ("--crop 0,0,17x12", 1, "0,0,17x12 is not inside the picture of 16 by 12 pixels"),
-        ("--crop 4294967295,0,2x2", 1, "is not inside the picture"),
+        ("--crop 0,0,17x12", 1, "the window 0,0,17x12 is not inside the image of 16x12 pixels"),
+        ("--crop 4294967295,0,2x2", 1, "is not inside the image"),
         ("--crop 0,0", 2, "such as 0,540,1920x270, found `0,0`"),
         ("--crop -1,0,2x2", 2, "expected a window as LEFT,TOP,WIDTHxHEIGHT"),
         ("--crop 1,1,0x2", 2, "found `1,1,0x2`"),

@@ -134,7 +134,9 @@ fn links_are_followed_to_where_no_file_is_yet() {
         }
         std::fs::remove_file(folder.path("real/a.png")).unwrap();
     }
-    folder.run("render scene.toml -o a.png -o real/b.png").fails(1, &["real/b.png is named twice as a.png"]);
+    folder
+        .run("render scene.toml -o a.png -o real/b.png")
+        .fails(1, &["real/b.png is used for two outputs (also as a.png)"]);
     symlink("none/c.png", folder.path("c.png")).unwrap();
     folder.run("render scene.toml -o c.png").fails(1, &["c.png: the folder none does not exist"]);
     symlink("d.png", folder.path("d.png")).unwrap();

@@ -22,8 +22,8 @@ const COLORS: &str = "pad=ceil(iw/2)*2:ceil(ih/2)*2,scale=out_color_matrix=bt709
 pub(super) fn problem() -> Option<&'static str> {
     let found = Command::new(PROGRAM).arg("-version").stdout(Stdio::null()).stderr(Stdio::null()).status();
     found.is_err().then_some(
-        "video is made by ffmpeg, which is not in the path: install it (on Debian and Ubuntu apt-get install ffmpeg), or \
-         write a .gif or an animated .png",
+        ".mp4 and .webm require ffmpeg, which is not in the PATH; install it (on Debian and Ubuntu: apt-get install \
+         ffmpeg), or write a .gif or an animated .png",
     )
 }
 

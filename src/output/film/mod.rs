@@ -83,15 +83,16 @@ fn before_black(pixel: Rgba<u8>) -> [u8; 3] {
 /// Checks that a video of images of this size can be written here.
 pub fn check_film(path: &Path, size: [u32; 2]) -> Result<(), OutputError> {
     let setting = |problem: &str| OutputError::Setting { path: path.to_owned(), problem: problem.to_owned() };
-    let kind = kind(path).ok_or_else(|| setting("the name of a film must end in .mp4, .webm, .gif, .png or .apng"))?;
+    let kind = kind(path).ok_or_else(|| setting("the name of a video must end in .mp4, .webm, .gif, .png or .apng"))?;
     if let Some(problem) = (kind.problem)() {
         return Err(setting(problem));
     }
     match size.into_iter().max().filter(|side| *side > kind.side) {
         Some(side) => {
             let (extension, most) = (kind.extension, kind.side);
-            let problem =
-                format!("a side of {side} pixels is more than the {most} of .{extension}: use .png, or a smaller size");
+            let problem = format!(
+                "a side of {side} pixels exceeds the limit of {most} for .{extension}: use .png, or a smaller size"
+            );
             Err(setting(&problem))
         }
         None => Ok(()),
@@ -148,12 +149,12 @@ impl<'a> Frames<'a> {
         let (size, [width, height]) = (picture.dimensions(), self.size);
         if size != (width, height) {
             let (own, first) = (format!("{}x{}", size.0, size.1), self.paths[0].display());
-            return Err(unreadable(path, &format!("it has {own} pixels, and {first} {width}x{height}")));
+            return Err(unreadable(path, &format!("it has {own} pixels, but {first} has {width}x{height}")));
         }
         Ok(Some(picture))
     }
 }
 
 fn unreadable(path: &Path, problem: &str) -> OutputError {
-    OutputError::Part { path: path.to_owned(), problem: format!("cannot be a frame of a film: {problem}") }
+    OutputError::Part { path: path.to_owned(), problem: format!("cannot be a frame of a video: {problem}") }
 }

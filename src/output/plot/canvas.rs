@@ -109,11 +109,12 @@ impl Canvas {
     pub fn png(self) -> Result<Vec<u8>, String> {
         let mut options = Options::default();
         options.fontdb_mut().load_font_data(UBUNTU_LIGHT.to_vec());
-        let font = options.fontdb.faces().next().map(|face| face.families[0].0.clone()).ok_or("its font is broken")?;
+        let font =
+            options.fontdb.faces().next().map(|face| face.families[0].0.clone()).ok_or("the font is not valid")?;
         options.fontdb_mut().set_sans_serif_family(font);
         let tree = Tree::from_str(&self.svg(), &options).map_err(words)?;
         let [width, height] = CANVAS;
-        let mut pixels = Pixmap::new(width, height).ok_or("its size is not that of a picture")?;
+        let mut pixels = Pixmap::new(width, height).ok_or("the size is not valid for an image")?;
         pixels.fill(Color::WHITE);
         resvg::render(&tree, Transform::identity(), &mut pixels.as_mut());
         let mut picture = RgbImage::new(width, height);

@@ -30,8 +30,8 @@ impl Legend {
             entries: names.enumerate().map(|(i, name)| (name.clone(), Look::of(i))).collect(),
             notes: match missing {
                 0 => Vec::new(),
-                1 => vec!["1 point has no place".into()],
-                n => vec![format!("{n} points have no place")],
+                1 => vec!["1 point cannot be shown".into()],
+                n => vec![format!("{n} points cannot be shown")],
             },
         }
     }

@@ -179,7 +179,7 @@ fn foci_and_windings_are_marked_and_written() {
     };
     let svg = svg("marks.svg", |path| plot_paths(path, &plot).unwrap());
     for text in
-        ["F1 [1, 2]", "F2 [-3, 2] (continued)", "spread 0.01234", "turns about [0, 0]", ">F1<", ">F2<", ">0.12<"]
+        ["F1 [1, 2]", "F2 [-3, 2] (continued)", "spread 0.01234", "turns around [0, 0]", ">F1<", ">F2<", ">0.12<"]
     {
         assert!(svg.contains(text), "{text}");
     }

@@ -132,12 +132,12 @@ type Change = fn(usize, &mut FileSettings, &mut Band);
 fn parts_that_do_not_belong_together_are_refused() {
     let halves = [window([0, 0], [40, 30]), window([0, 25], [40, 25])];
     let cases: [(Change, &str); 5] = [
-        (|i, settings, _| settings.size[0] += i as u32, "part1.exr: this is a part of a picture of 41x50 pixels, and "),
-        (|i, settings, _| settings.layers.truncate(2 - i), "part1.exr: it has other layers than "),
-        (|i, settings, _| settings.alpha = i == 0, "part1.exr: it has other layers than "),
+        (|i, settings, _| settings.size[0] += i as u32, "part1.exr: this is a part of an image of 41x50 pixels, but "),
+        (|i, settings, _| settings.layers.truncate(2 - i), "part1.exr: its layers differ from those of "),
+        (|i, settings, _| settings.alpha = i == 0, "part1.exr: its layers differ from those of "),
         (
             |i, settings, _| settings.metadata[0].1 = ["rk4", "euler"][i].to_owned(),
-            "part1.exr: its `method` is `euler`, and that of ",
+            "part1.exr: its `method` is `euler`, but that of ",
         ),
         (|i, settings, _| settings.metadata.truncate(2 - i), "part1.exr: its `Software` is nothing, and that of "),
     ];

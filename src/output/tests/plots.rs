@@ -75,7 +75,7 @@ fn a_chart_counts_what_it_cannot_show() {
     chart.series[0].points[10][1] = 0.0;
     chart.series[0].points[20][0] = f64::NAN;
     let svg = svg("gaps.svg", |path| plot_lines(path, &chart).unwrap());
-    assert!(svg.contains("2 points have no place"));
+    assert!(svg.contains("2 points cannot be shown"));
 }
 
 #[test]

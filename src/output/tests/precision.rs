@@ -74,12 +74,12 @@ fn it_rings_the_front_and_counts_what_it_cannot_show() {
     plot.curves[2].points[6] = [1e-12, -1.0];
     let (count, svg) = rings(&plot);
     assert_eq!(count, plot.front().len());
-    assert!(svg.contains("4 points have no place") && !svg.contains("wrong"));
+    assert!(svg.contains("4 points cannot be shown") && !svg.contains("wrong"));
     // A gross error has a separate line, even without other errors there.
     plot.curves[2].points[6] = [f64::INFINITY, 30.0];
     let (count, svg) = rings(&plot);
     assert_eq!(count, plot.front().len());
-    assert!(svg.contains("3 points have no place") && svg.contains("wrong"));
+    assert!(svg.contains("3 points cannot be shown") && svg.contains("wrong"));
     plot.curves = vec![Series { name: "a".into(), points: vec![[f64::INFINITY, 2.0]] }];
     plot.floor = None;
     assert!(super::plots::svg("wrong.svg", |path| plot_precision(path, &plot).unwrap()).contains("wrong"));

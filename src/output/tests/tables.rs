@@ -35,7 +35,7 @@ fn says_what_is_wrong_and_where() {
         (header.into(), vec!["line 1", "no rays"]),
         ("x,y,z,vx,vy,w\n".into(), vec!["line 1", "column 6", "`w`", "vz"]),
         ("x,y,z,vx,vy,x\n".into(), vec!["line 1", "column 6", "twice"]),
-        ("x,y,z,vx,vy\n".into(), vec!["line 1", "`vz` is missing"]),
+        ("x,y,z,vx,vy\n".into(), vec!["line 1", "missing column `vz`"]),
         ("1,2,3,4,5,6\n".into(), vec!["line 1", "column 1", "`1`"]),
         (format!("{header}1,2,3\n"), vec!["line 2", "3 fields", "6"]),
         (format!("{header}1,2,3,4,5,6,7\n"), vec!["line 2", "7 fields"]),

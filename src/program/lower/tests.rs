@@ -177,9 +177,9 @@ fn made_names_are_refused() {
         "for (var read_uniforms = 0; read_uniforms < 1; read_uniforms++) {}",
     ] {
         let error = error(&INPUT.replace("    return law.a", &format!("    {slip}\n    return law.a")));
-        assert!(error.contains("is a name that programs use for something else"), "{slip}: {error}");
+        assert!(error.contains("is reserved by the renderer"), "{slip}: {error}");
         assert!(error.starts_with("input.wgsl:13:"), "{slip}: {error}");
     }
     let error = error(&INPUT.replace("Law", "Uniforms"));
-    assert!(error.starts_with("input.wgsl:3:8: `Uniforms` is a name"), "{error}");
+    assert!(error.starts_with("input.wgsl:3:8: the name `Uniforms` is reserved"), "{error}");
 }

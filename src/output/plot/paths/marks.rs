@@ -66,7 +66,7 @@ pub(super) fn notes(plot: &PathPlot) -> Vec<String> {
     });
     let about = plot.windings.as_ref().map(|(about, _)| {
         let [x, y] = plot.plane.flat(*about).map(rounded);
-        format!("turns about [{x}, {y}]")
+        format!("turns around [{x}, {y}]")
     });
     foci.chain(about).collect()
 }
