@@ -136,5 +136,5 @@ code { font-size: 12px; background: #f3f3f3; overflow-wrap: anywhere; }
 </head>
 <body>
 <h1>Gallery</h1>
-<p>Each picture with the command that renders it, in its scenes' folder, and the seconds that it took here.</p>
+<p>Each image with the command that renders it, run in the folder of its scenes, and its render time on this machine.</p>
 ";

@@ -27,7 +27,7 @@ pub(super) struct Arguments {
     /// The scene file, or `all` for every scene in a directory
     #[arg(required_unless_present = "stability", value_parser = paths::file())]
     scene: Option<PathBuf>,
-    /// Instead, trace the rays of every case where methods fail, with every method, and print how they ended
+    /// Instead, trace the rays of every case where methods fail, with every method, and print their termination status
     #[arg(long, conflicts_with = "scene")]
     stability: bool,
     /// Use only these methods, by their names in the chart

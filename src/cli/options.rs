@@ -141,8 +141,8 @@ pub(super) struct DeviceFlags {
     /// Use the device whose name contains NAME; by default the first discrete GPU, else an integrated GPU, else a CPU
     #[arg(long, value_name = "NAME")]
     device: Option<String>,
-    /// Grouping of the stages of a segment into passes; the image is the same with each. By default `whole`, or `fused` if one of the flags
-    /// below requires it
+    /// Grouping of the stages of a segment into dispatches; all schedules give the same image. By default `whole`, or `fused` if one of
+    /// the flags below requires it
     #[arg(long, value_parser = schedules())]
     schedule: Option<Schedule>,
     /// Disable the early ray termination of Weiskopf et al. (2004): run terminated rays too

@@ -81,7 +81,7 @@ pub(super) struct Arguments {
     /// Trace N random pixels again in 64 bits; print the deviation from this reference solution and store it in the image
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=1_000_000))]
     verify: Option<u32>,
-    /// Exit with 1 if any ray could not be followed to its end
+    /// Exit with code 1 if any ray could not be traced to its end
     #[arg(long)]
     strict: bool,
     #[command(flatten)]

@@ -25,7 +25,7 @@ use crate::output::plot::check_plot;
 use crate::render::{PathPoint, RenderSettings, StartUp, Traced, pixel_starts, trace, trace_paths};
 use crate::scene::{CutPlane, Scene};
 
-/// Follow given rays through the same passes as an image, and write their end points or draw their paths
+/// Trace given rays with the same passes as an image, and write their end points or draw their paths
 #[derive(Debug, Args)]
 #[command(group(clap::ArgGroup::new("starts").args(["rays", "fan", "bundle", "pixel"]).required(true).multiple(true)))]
 #[command(group(clap::ArgGroup::new("results").args(["output", "plot", "focus", "windings"]).required(true).multiple(true)))]

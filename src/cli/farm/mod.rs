@@ -20,7 +20,8 @@ use job::Job;
 #[derive(Debug, Args)]
 #[command(
     subcommand_required = true,
-    after_help = "All take what `render` takes: type the same behind each, with the same number of --parts."
+    after_help = "All subcommands take the arguments of `render`: give each the same arguments and the same number \
+                  of --parts."
 )]
 pub(super) struct Arguments {
     #[command(subcommand)]

@@ -31,7 +31,7 @@ pub(super) struct DiagramOptions {
     /// Measure the number of turns of each path about "[x, y, z]", counterclockwise in the diagram, and write it
     #[arg(long, value_name = "POINT", value_parser = vector)]
     pub windings: Option<DVec3>,
-    /// Draw the flow's attractor behind the paths: the orbit of the first ray in the long run, over TIME
+    /// Draw the flow's attractor behind the paths: the long-term orbit of the first ray, over TIME
     #[arg(long, value_name = "TIME", num_args = 0..=1, default_missing_value = "100", value_parser = parse_time, requires = "plot")]
     pub attractor: Option<f64>,
 }
