@@ -142,8 +142,8 @@ impl<'a> Film<'a> {
         let named: Vec<String> = keys.iter().filter(changes).map(|key| format!("`{key}`")).collect();
         let cause = if named.is_empty() { "several keys in combination".to_owned() } else { named.join(", ") };
         usage!(
-            "frame {frame} requires a different shader program than frame {first} because of {cause}: do not animate \
-             it this way, or render the frames from {frame} on with a separate command"
+            "frame {frame} requires a different shader program than frame {first} because of {cause}: avoid this \
+             change, or render the frames from {frame} on with a separate command"
         )
     }
 }

@@ -301,9 +301,9 @@ pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
 /// Prints warnings for rays that were lost, whatever the exit code is.
 pub(super) fn warn(totals: &Totals) {
     let advice = [
-        (Status::Alive, "were active after the last pass", "report this bug of bentray"),
+        (Status::Alive, "were active after the last pass", "this is a bug in bentray; report it"),
         (Status::Exhausted, "reached rays.max_segments", "raise it, or take longer steps"),
-        (Status::Stalled, "stalled", "take longer steps, which float32 can resolve"),
+        (Status::Stalled, "stalled", "take longer steps, or use --precision f64"),
         (Status::Failed, "became infinite or undefined", "take shorter steps, or give sources a capture radius"),
     ];
     if totals.unfiltered > 0 {
