@@ -48,7 +48,7 @@ pub(super) fn run(arguments: &Arguments, cli: &clap::Command) -> Result<ExitCode
     if found.is_empty() {
         let commands = cli.get_subcommands().map(clap::Command::get_name);
         let names: Vec<&str> = commands.chain(pages().map(|page| page.name)).collect();
-        tell!("error: unknown command or topic `{topic}`; {}", suggest(&topic, &names, "there are"));
+        tell!("error: unknown command or topic `{topic}`; {}", suggest(&topic, &names, "commands and topics"));
         return Ok(ExitCode::from(USAGE));
     }
     say!("{}", found.join("\n\n"));
