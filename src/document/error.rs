@@ -25,7 +25,7 @@ pub enum SceneError {
         source: std::io::Error,
     },
     /// An image that can be read but not decoded or not used.
-    #[error("cannot use the picture `{}`: {}", path.display(), brief(problem))]
+    #[error("cannot use the image `{}`: {}", path.display(), brief(problem))]
     Picture {
         /// The file.
         path: PathBuf,
@@ -49,7 +49,7 @@ pub enum SceneError {
         problem: String,
     },
     /// A file that needs more memory than is allowed.
-    #[error("cannot use `{}`: it takes {} of memory, and {} of {} are left", path.display(), mebibytes(*needed), mebibytes(*left), mebibytes(*limit))]
+    #[error("cannot load `{}`: it needs {} of memory, and {} of {} are left", path.display(), mebibytes(*needed), mebibytes(*left), mebibytes(*limit))]
     Memory {
         /// The file.
         path: PathBuf,
@@ -185,6 +185,6 @@ fn list(mistakes: &[Mistake]) -> String {
     let plural = if mistakes.len() == 1 { "" } else { "s" };
     let least = if mistakes.len() >= ENOUGH { "at least " } else { "" };
     let shown = if mistakes.len() > SHOWN { format!(", of which {SHOWN} are shown") } else { String::new() };
-    parts.push(format!("{least}{} mistake{plural} found{shown}", mistakes.len()));
+    parts.push(format!("{least}{} error{plural}{shown}", mistakes.len()));
     parts.join("\n\n")
 }

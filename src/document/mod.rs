@@ -110,11 +110,11 @@ impl Document {
             Err(error) => {
                 let fault = Fault {
                     place: base.place(error.span().unwrap_or_default()),
-                    problem: format!("not TOML: {}", error.message()),
+                    problem: format!("not valid TOML: {}", error.message()),
                     help: match error.message() {
                         "duplicate key" => {
-                            "it stands above already; what there may be several of, such as objects and lights, has \
-                                            two brackets, each time: [[objects]]"
+                            "this name is already defined above; tables that can repeat, such as objects and lights, \
+                             have double brackets: [[objects]]"
                                 .to_owned()
                         }
                         _ => String::new(),
@@ -137,8 +137,8 @@ impl Document {
     pub fn animate(&mut self, path: &[String], value: Node, key: Place) {
         match overrides::reach(&mut self.root, path, key) {
             Ok(old) if old.place.source != 0 && old.place.source != key.source => {
-                let problem = format!("`{}` is animated, so that no other value is asked for", path.join("."));
-                let help = "set the values of its track instead".to_owned();
+                let problem = format!("`{}` is animated and cannot be set to another value", path.join("."));
+                let help = "change the values of its track instead".to_owned();
                 self.faults.push(Fault { place: old.place, problem, help });
             }
             Ok(old) => *old = value,

@@ -36,16 +36,16 @@ impl FromStr for Override {
     fn from_str(text: &str) -> Result<Self, SceneError> {
         let error = |problem: &str| SceneError::Override(format!("`{text}`: {problem}"));
         let Some((key, written)) = text.split_once('=') else {
-            return Err(error("expected KEY=VALUE, as in rays.step=0.05 or objects.0.radius=2"));
+            return Err(error("expected KEY=VALUE, such as rays.step=0.05 or objects.0.radius=2"));
         };
-        let path = names(key).ok_or_else(|| error("the key must be names joined by dots, as in image.size"))?;
+        let path = names(key).ok_or_else(|| error("the key must be names joined by dots, such as image.size"))?;
         let trimmed = written.trim();
         let base = Base { source: 0, offset: key.len() + 1 + written.len() - written.trim_start().len() };
         let change = match DeValue::parse(trimmed) {
             Ok(value) => Change::Set(node(&value, base)),
             Err(_) if trimmed.is_empty() => Change::LeaveOut,
             Err(e) if trimmed.starts_with(['"', '\'', '[', '{']) => {
-                return Err(error(&format!("the value is not TOML: {}", e.message())));
+                return Err(error(&format!("the value is not valid TOML: {}", e.message())));
             }
             Err(_) => Change::Set(Node { place: base.place(0..trimmed.len()), value: Value::Text(trimmed.to_owned()) }),
         };
@@ -109,8 +109,8 @@ impl Override {
                 *reach(root, &self.path, key)? = value;
             }
             Change::LeaveOut if !leave_out(root, &self.path) => {
-                let problem = format!("there is no `{}` to leave out", self.path.join("."));
-                return Err(Fault { place: key, problem, help: "a value goes behind the `=`".to_owned() });
+                let problem = format!("cannot remove `{}`, which does not exist", self.path.join("."));
+                return Err(Fault { place: key, problem, help: "write a value after `=`".to_owned() });
             }
             Change::LeaveOut => {}
             Change::LeaveOutIfThere => _ = leave_out(root, &self.path),
@@ -130,10 +130,9 @@ pub(super) fn reach<'a>(root: &'a mut Table, path: &[String], key: Place) -> Res
             Value::Table(table) => entry(table, name, key),
             Value::Array(items) => {
                 let count = items.len();
+                let entries = if count == 1 { "entry" } else { "entries" };
                 let item = name.parse().ok().and_then(|i: usize| items.get_mut(i));
-                item.ok_or_else(|| {
-                    fault(format!("`{above}` has {count} entries, counted from 0, and none is `{name}`"))
-                })?
+                item.ok_or_else(|| fault(format!("`{above}` has {count} {entries}, counted from 0, and no `{name}`")))?
             }
             _ => return Err(fault(format!("`{above}` is not a table"))),
         };

@@ -145,17 +145,17 @@ impl<'r, 'a> TableReader<'r, 'a> {
         let rows = self.reader.reference.iter().filter(|row| row.table == self.path && row.key == key);
         let mut told: Vec<(String, &str)> = Vec::new();
         for row in rows {
-            let said = format!("{}: {}", row.value, row.meaning);
+            let said = format!("{} ({})", row.meaning, row.value);
             if told.iter().all(|(other, _)| *other != said) {
                 told.push((said, &row.when));
             }
         }
         match &told[..] {
-            [(said, _)] => format!("{key} is {said}"),
+            [(said, _)] => format!("`{key}`: {said}"),
             several if several.len() <= TOLD => {
                 let each = several.iter().map(|(said, when)| match *when {
-                    "" => format!("{key} is {said}"),
-                    when => format!("with {when} {key} is {said}"),
+                    "" => format!("`{key}`: {said}"),
+                    when => format!("`{key}` with {when}: {said}"),
                 });
                 each.collect::<Vec<_>>().join("; ")
             }
@@ -216,7 +216,7 @@ impl<'r, 'a> TableReader<'r, 'a> {
             return Vec::new();
         };
         let Value::Array(items) = &node.value else {
-            let fault = node.expected(&format!("tables, each headed [[{path}]]"));
+            let fault = node.expected(&format!("tables with the header [[{path}]]"));
             self.reader.fault(fault);
             return Vec::new();
         };
@@ -260,7 +260,7 @@ impl<'r, 'a> TableReader<'r, 'a> {
         let given = keys.iter().filter_map(|key| Some((*key, self.node(key)?)));
         let given: Vec<_> = given.collect();
         if let [(first, _), (second, node), ..] = given[..] {
-            let problem = format!("`{second}` and `{first}` exclude each other");
+            let problem = format!("`{second}` cannot be combined with `{first}`");
             self.reader.fault(node.fault(problem, ""));
             self.lenient.set(true);
         }
@@ -293,12 +293,12 @@ impl<'r, 'a> TableReader<'r, 'a> {
                 // Several kinds may have the same key.
                 let mut told = BTreeSet::new();
                 keys.retain(|key| told.insert(*key));
-                let help = suggest(name, &keys, "keys here");
+                let help = suggest(name, &keys, "valid keys");
                 (format!("unknown key `{name}`"), help)
             } else {
                 let (with, keys) = (elsewhere.join(", or "), asked.join(", "));
-                let help = format!("leave it out, or use it with {with}; keys here: {keys}");
-                (format!("`{name}` does not go with the rest of this table"), help)
+                let help = format!("remove it, or use it with {with}; valid keys: {keys}");
+                (format!("`{name}` cannot be combined with the rest of this table"), help)
             };
             self.reader.fault(Fault { place: *place, problem, help });
         }

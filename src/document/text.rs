@@ -64,8 +64,8 @@ pub fn unmarked<'a>(bytes: &'a [u8], path: &Path) -> Result<&'a [u8], SceneError
         return Ok(rest);
     }
     let Some(encoding) = wide_encoding(bytes) else { return Ok(bytes) };
-    let problem = format!("this is text in {encoding}, and UTF-8 is read");
-    let help = format!("save the file as UTF-8, for example by `iconv -f {encoding} -t UTF-8 FILE`");
+    let problem = format!("the file is encoded as {encoding}, not as UTF-8");
+    let help = format!("convert the file to UTF-8, for example with `iconv -f {encoding} -t UTF-8 FILE`");
     Err(SceneError::Mistakes(vec![Mistake::locate(path.to_owned(), "", 0, 0, problem, help)]))
 }
 
@@ -101,13 +101,13 @@ fn ended_lines(text: &str) -> Option<String> {
 /// Returns the problem with bytes that are not text, and the remedy.
 fn not_text(bytes: &[u8]) -> (String, String) {
     let known: [(&[u8], &str, &str); 3] = [
-        (b"glTF", "glTF, not text", "`bentray import FILE -o scene.toml` makes a scene of it"),
-        (b"\x89PNG", "a PNG, not text", "name a scene; what is written goes behind -o"),
-        (b"\x76\x2f\x31\x01", "an EXR, not text", "name a scene; what is written goes behind -o"),
+        (b"glTF", "a glTF file, not text", "convert it to a scene with `bentray import FILE -o scene.toml`"),
+        (b"\x89PNG", "a PNG image, not text", "give a scene file; name the output with -o"),
+        (b"\x76\x2f\x31\x01", "an EXR image, not text", "give a scene file; name the output with -o"),
     ];
     match known.into_iter().find(|(magic, _, _)| bytes.starts_with(magic)) {
         Some((_, what, help)) => (format!("this is {what}"), help.to_owned()),
-        None => ("this byte is not UTF-8".to_owned(), "save the file as UTF-8".to_owned()),
+        None => ("this byte is not valid UTF-8".to_owned(), "save the file as UTF-8".to_owned()),
     }
 }
 
@@ -152,7 +152,7 @@ fn read_some(from: impl Read) -> io::Result<Vec<u8>> {
     let mut bytes = Vec::new();
     from.take(MOST + 1).read_to_end(&mut bytes)?;
     if bytes.len() as u64 > MOST {
-        let problem = "it is no file, and goes on behind 1 GiB: save what it gives in a file";
+        let problem = "not a regular file, and longer than 1 GiB; save its output to a file first";
         return Err(io::Error::new(io::ErrorKind::FileTooLarge, problem));
     }
     Ok(bytes)

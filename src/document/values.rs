@@ -31,7 +31,7 @@ impl Node {
             Value::Float(_) => "a number",
             Value::Boolean(_) => "true or false",
             Value::Date => "a date",
-            Value::Array(items) => &format!("an array of {}", items.len()),
+            Value::Array(items) => &format!("an array of length {}", items.len()),
             Value::Table(_) => "a table",
         };
         self.fault(format!("expected {what}, found {found}"), "")
@@ -46,13 +46,13 @@ pub fn number(node: &Node) -> Read<f64> {
         _ => return Err(node.expected("a number")),
     };
     if !value.is_finite() {
-        let help = "all numbers must be finite";
+        let help = "use a finite number";
         return Err(node.fault("not a finite number", help));
     }
     let size = value.abs();
     if size > LARGEST || (size < SMALLEST && size > 0.0) {
-        let help = "numbers are 0, or from 1e-30 to 1e30 in magnitude";
-        return Err(node.fault("beyond the range of 32-bit floats", help));
+        let help = "use 0, or a magnitude from 1e-30 to 1e30";
+        return Err(node.fault("outside the range of 32-bit floats", help));
     }
     Ok(value)
 }
@@ -82,7 +82,7 @@ pub fn not_zero(node: &Node) -> Read<f64> {
 
 /// Reads a number that is 0 or greater.
 pub fn not_negative(node: &Node) -> Read<f64> {
-    number_where("a number that is 0 or above", |x| x >= 0.0)(node)
+    number_where("a number of 0 or above", |x| x >= 0.0)(node)
 }
 
 /// Reads `true` or `false`.
@@ -96,7 +96,7 @@ pub fn boolean(node: &Node) -> Read<bool> {
 /// Reads a whole number in the range.
 pub fn whole(range: RangeInclusive<u32>) -> impl Fn(&Node) -> Read<u32> {
     move |node| {
-        let what = format!("a whole number, {} to {}", range.start(), range.end());
+        let what = format!("a whole number from {} to {}", range.start(), range.end());
         let Value::Integer(value) = node.value else {
             return Err(node.expected(&what));
         };
@@ -151,7 +151,7 @@ pub fn extents_2d(node: &Node) -> Read<DVec2> {
 
 /// Reads a color: linear red, green and blue.
 pub fn color(node: &Node) -> Read<DVec3> {
-    array("a colour, [red, green, blue]", not_negative)(node).map(DVec3::from_array)
+    array("a color, [red, green, blue]", not_negative)(node).map(DVec3::from_array)
 }
 
 /// Reads a string.
@@ -172,9 +172,9 @@ pub fn word<T: Copy>(choices: &'static [(&'static str, T)]) -> impl Fn(&Node) ->
 pub fn choice(names: &[&str]) -> impl Fn(&Node) -> Read<usize> {
     move |node| {
         let Value::Text(word) = &node.value else {
-            return Err(node.expected(&format!("one of the words {}", names.join(", "))));
+            return Err(node.expected(&format!("one of {}", names.join(", "))));
         };
-        let unknown = || node.fault(format!("unknown word `{word}`"), suggest(word, names, "choices"));
+        let unknown = || node.fault(format!("unknown value `{word}`"), suggest(word, names, "choices"));
         names.iter().position(|name| name == word).ok_or_else(unknown)
     }
 }
@@ -189,7 +189,7 @@ pub fn suggest(name: &str, names: &[&str], kind: &str) -> String {
     let meant = synonym(name, names).or(near.copied()).or_else(|| begun().copied());
     let list = names.join(", ");
     match meant {
-        Some(nearest) => format!("did you mean `{nearest}`? {kind}: {list}"),
+        Some(nearest) => format!("use `{nearest}`; {kind}: {list}"),
         None => format!("{kind}: {list}"),
     }
 }

@@ -45,7 +45,7 @@ fn pictures_with_forged_sizes_are_refused_by_their_headers() {
     folder.write("sky.png", large);
     check().fails(1, &["it has 40000×40000 pixels, 1600000000, and at most 268435456 are read: make it smaller"]);
     folder.write("sky.png", forged(0, 4));
-    check().fails(1, &["cannot use the picture `sky.png`"]);
+    check().fails(1, &["cannot use the image `sky.png`"]);
 }
 
 #[test]
@@ -56,17 +56,17 @@ fn many_mistakes_are_counted_and_some_are_shown() {
     }
     let folder = Folder::with(&scene);
     let ran = soon(|| folder.run("check scene.toml"));
-    let ran = ran.fails(1, &["unknown key `k0`", "at least 1000 mistakes found, of which 100 are shown"]);
+    let ran = ran.fails(1, &["unknown key `k0`", "at least 1000 errors, of which 100 are shown"]);
     assert!(ran.err.len() < 100_000, "{}", ran.err.len());
     // What is nested without end is shown near the mistake.
     folder.write("scene.toml", format!("a = {}", "[".repeat(1_000_000)));
     let ran = soon(|| folder.run("check scene.toml"));
     assert!(ran.err.len() < 2000, "{}", ran.err.len());
-    ran.fails(1, &["scene.toml:1:", "not TOML: "]);
+    ran.fails(1, &["scene.toml:1:", "not valid TOML: "]);
     // A key that several kinds have is named once.
     folder.write("scene.toml", "[camera]\nposition = [0, 0, 5]\nfow = 3\n[rays]\nbounding_sphere = { radius = 9 }\n");
     let ran = folder.run("check scene.toml").fails(1, &["unknown key `fow`"]);
-    let keys = ran.err.split("keys here: ").nth(1).unwrap().lines().next().unwrap();
+    let keys = ran.err.split("valid keys: ").nth(1).unwrap().lines().next().unwrap();
     let all: Vec<&str> = keys.split(", ").collect();
     assert!(all.iter().enumerate().all(|(i, key)| !all[..i].contains(key)), "{keys}");
 }
@@ -101,7 +101,7 @@ fn bytes_that_are_no_text_are_named_with_their_line() {
     let folder = Folder::with(BALL);
     folder.write("rays.csv", b"x,y,z,vx,vy,vz\n0,0,5,0,0,-1\n0,\xff,5,0,0,-1\n");
     let ran = folder.run("trace scene.toml --rays rays.csv -o a.csv");
-    ran.fails(1, &["rays.csv: line 3: this byte is not UTF-8; save the file as UTF-8"]);
+    ran.fails(1, &["rays.csv: line 3: this byte is not valid UTF-8; save the file as UTF-8"]);
 }
 
 /// All numbers of an EXR's colour, and whether a PNG is black all over.
@@ -158,7 +158,7 @@ fn files_take_no_more_memory_than_they_may() {
     image::RgbImage::from_fn(512, 256, |x, y| image::Rgb([x as u8, y as u8, 9])).save(folder.path("sky.png")).unwrap();
     let render = |memory: &str| folder.run(&format!("render scene.toml -o a.png --memory {memory}"));
     render("64MiB").succeeds();
-    let refused = ["sky.png` : it takes 1.5 MiB of memory, and 1.0 MiB of 1.0 MiB are left".replace("` :", "`:")];
+    let refused = ["sky.png` : it needs 1.5 MiB of memory, and 1.0 MiB of 1.0 MiB are left".replace("` :", "`:")];
     let ran = render("1MiB");
     assert_eq!(ran.code, Some(1));
     ran.says(&[&refused[0], "help: make it smaller, or raise the limit: --memory"]);
@@ -166,7 +166,7 @@ fn files_take_no_more_memory_than_they_may() {
     let mesh = "[[objects]]\nshape = \"mesh\"\nfile = \"large.obj\"\nmaterial = \"red\"\n";
     folder.write("scene.toml", format!("{BALL}{mesh}"));
     folder.write("large.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n".to_owned() + &"# and so on\n".repeat(200_000));
-    render("1MiB").says(&["large.obj`: it takes 2.3 MiB of memory"]);
+    render("1MiB").says(&["large.obj`: it needs 2.3 MiB of memory"]);
     // What is read anew for every frame takes the place of what was there.
     let header = "NRRD0004\ntype: uint8\ndimension: 3\nsizes: 64 64 64\nencoding: raw\n\n";
     folder.write("grid.nrrd", [header.as_bytes(), &vec![100; 64 * 64 * 64]].concat());

@@ -18,7 +18,7 @@ fn broken_meshes_are_named_with_the_place_in_their_own_file() {
             "scene.toml:18:8: cannot read `mesh.obj`: ",
             "\n    file = \"mesh.obj\"\n           ^^^^^^^^^^\n",
             "files are found relative to the scene file's folder",
-            "1 mistake found",
+            "1 error",
         ],
     );
     let corners = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
@@ -40,7 +40,7 @@ fn broken_meshes_are_named_with_the_place_in_their_own_file() {
     ];
     for (mesh, texts) in cases {
         folder.write("mesh.obj", mesh);
-        render().fails(1, texts).says(&["1 mistake found"]);
+        render().fails(1, texts).says(&["1 error"]);
     }
     assert_eq!(folder.names(), ["mesh.obj", "scene.toml"]);
 }
@@ -79,7 +79,7 @@ fn broken_skies_and_textures_are_named_where_the_scene_names_them() {
             let ran = folder.run(&format!("check scene.{kind}"));
             // Nothing in an EXR tells that numbers in its blocks have changed, unless they do not unpack.
             if !(kind == "exr" && which == 3 && ran.code == Some(0)) {
-                ran.fails(1, &[&format!("scene.{kind}:9:9: cannot use the picture `sky.{kind}`: "), "1 mistake found"]);
+                ran.fails(1, &[&format!("scene.{kind}:9:9: cannot use the image `sky.{kind}`: "), "1 error"]);
             }
         }
         folder.write(&format!("sky.{kind}"), whole);
@@ -93,7 +93,7 @@ fn broken_skies_and_textures_are_named_where_the_scene_names_them() {
     folder.write("texture.toml", &texture);
     folder.run("check texture.toml").succeeds();
     folder.write("sky.png", "not a picture");
-    folder.run("check texture.toml").fails(1, &["texture.toml:12:19: cannot use the picture `sky.png`: "]);
+    folder.run("check texture.toml").fails(1, &["texture.toml:12:19: cannot use the image `sky.png`: "]);
 }
 
 #[test]
@@ -158,10 +158,10 @@ fn tables_of_rays_are_refused_with_the_line_and_the_column() {
 fn what_is_no_scene_and_no_file_is_refused() {
     let folder = Folder::with(&(BALL.to_owned() + MESH));
     std::os::unix::fs::symlink("/dev/zero", folder.path("mesh.obj")).unwrap();
-    folder.run("check scene.toml").fails(1, &["cannot read `mesh.obj`: it is no file, and goes on behind 1 GiB"]);
+    folder.run("check scene.toml").fails(1, &["cannot read `mesh.obj`: not a regular file, and longer than 1 GiB"]);
     folder.run("check /dev/zero").fails(1, &["cannot read `/dev/zero`: it is no file"]);
     std::fs::write(folder.path("a.glb"), b"glTF\x02\0\0\0\xff").unwrap();
-    folder.run("check a.glb").fails(1, &["this is glTF, not text", "`bentray import FILE -o scene.toml`"]);
+    folder.run("check a.glb").fails(1, &["this is a glTF file, not text", "`bentray import FILE -o scene.toml`"]);
 }
 
 /// Scenes are not written under a picture's name, and the command that is said can be typed.

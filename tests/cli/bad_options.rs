@@ -53,7 +53,7 @@ fn a_chart_is_of_methods_that_there_are() {
     for places in ["scene.toml", "--stability --scenes ."] {
         std::fs::write(folder.path("scene.csv"), "x,y,z,vx,vy,vz\n0,0,5,0,0,-1\n").unwrap();
         let ran = folder.run(&format!("compare {places} -o chart --methods rk4,exat"));
-        ran.fails(1, &["--methods: no scene supports `exat`; did you mean `exact`? methods: "]);
+        ran.fails(1, &["--methods: no scene supports `exat`; use `exact`; methods: "]);
     }
     assert!(!folder.path("chart").exists());
 }
@@ -77,10 +77,10 @@ fn no_layers_and_one_of_them_are_refused() {
 fn changes_that_are_no_key_and_value_exit_with_2() {
     let folder = Folder::with(BALL);
     let cases: [(&str, &str); 4] = [
-        ("foo", "`foo`: expected KEY=VALUE, as in rays.step=0.05"),
+        ("foo", "`foo`: expected KEY=VALUE, such as rays.step=0.05"),
         ("a..b=1", "`a..b=1`: the key must be names joined by dots"),
         ("=3", "`=3`: the key must be names joined by dots"),
-        ("rays.max_parameter=[1", "`rays.max_parameter=[1`: the value is not TOML: "),
+        ("rays.max_parameter=[1", "`rays.max_parameter=[1`: the value is not valid TOML: "),
     ];
     for (change, text) in cases {
         folder.run(&format!("check scene.toml --set {change}")).fails(2, &[text]);
@@ -96,11 +96,11 @@ fn changes_that_do_not_suit_the_scene_exit_with_1() {
             "--set rays.max_segment=3",
             &[
                 "--set rays.max_segment=3:1:1: unknown key `max_segment`",
-                "did you mean `max_segments`?",
+                "use `max_segments`",
                 "\n    rays.max_segment=3\n    ^^^^^^^^^^^^^^^^\n",
             ],
         ),
-        ("--set imag.size=3", &["--set imag.size=3:1:1: unknown key `imag`", "did you mean `image`?"]),
+        ("--set imag.size=3", &["--set imag.size=3:1:1: unknown key `imag`", "use `image`"]),
         ("--set rays.bounding_sphere.radius=nan", &["--set rays.bounding_sphere.radius=nan:1:29: not a finite number"]),
         (
             "--set rays.bounding_sphere=abc",
@@ -110,11 +110,11 @@ fn changes_that_do_not_suit_the_scene_exit_with_1() {
             "--set rays.bounding_sphere=7.5",
             &[":1:22: expected a table, found a number", "for example bounding_sphere = { radius = 7.5 }"],
         ),
-        ("--set objects.3.radius=1", &[":1:1: `objects` has 1 entries, counted from 0, and none is `3`"]),
-        ("--set image.samples=0", &["--set image.samples=0:1:15: expected a whole number, 1 to 1048576, found 0"]),
+        ("--set objects.3.radius=1", &[":1:1: `objects` has 1 entry, counted from 0, and no `3`"]),
+        ("--set image.samples=0", &["--set image.samples=0:1:15: expected a whole number from 1 to 1048576, found 0"]),
     ];
     for (arguments, texts) in cases {
-        folder.run(&format!("render scene.toml -o a.png {arguments}")).fails(1, texts).says(&["1 mistake found"]);
+        folder.run(&format!("render scene.toml -o a.png {arguments}")).fails(1, texts).says(&["1 error"]);
     }
     assert_eq!(folder.text("a.png"), "an old picture");
     assert_eq!(folder.names(), ["a.png", "scene.toml"]);

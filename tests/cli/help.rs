@@ -42,8 +42,8 @@ fn help_prints_every_page_and_the_help_of_every_command() {
 #[test]
 fn a_topic_that_is_none_is_answered_with_those_that_are() {
     let folder = Folder::new();
-    folder.run("help scens").fails(2, &["`scens`", "did you mean `scenes`?"]);
-    folder.run("help rendr").fails(2, &["did you mean `render`?"]);
+    folder.run("help scens").fails(2, &["`scens`", "use `scenes`"]);
+    folder.run("help rendr").fails(2, &["use `render`"]);
     folder.run("help everything").fails(2, &["commands and topics: render, ", "scenes, ", "luminet"]);
     folder.run("help render scene").fails(2, &["`render scene`"]);
 }

@@ -78,9 +78,10 @@ fn the_method_from_a_picture_is_repeated() {
     }
     // What does not fit another scene is named as it was given.
     folder.run(&format!("render scene.toml -o a.png {HOLE} --set rays.method=planar")).succeeds();
-    folder
-        .run("render scene.toml -o b.exr --method-from a.png")
-        .fails(1, &["--method-from a.png:1:13: planar needs a law with a single centre", "rays.method=\"planar\"\n"]);
+    folder.run("render scene.toml -o b.exr --method-from a.png").fails(
+        1,
+        &["--method-from a.png:1:13: planar requires a law with a single center", "rays.method=\"planar\"\n"],
+    );
     folder.write("no.png", "no picture");
     folder.run("render scene.toml -o b.exr --method-from no.png").fails(1, &["no.png: this is not a complete PNG"]);
     folder.run("render scene.toml -o b.exr --method-from none.exr").fails(1, &["none.exr: cannot read the file"]);

@@ -104,9 +104,9 @@ fn mistakes_have_their_place() {
         ("«(»1 + x", "there is no ) for this (", ""),
         ("exp«(»-r^2", "there is no ) for this (", ""),
         ("1 + x«)»", "there is no ( for this )", ""),
-        ("1 + «xx»", "unknown name `xx`", "did you mean `x`?"),
+        ("1 + «xx»", "unknown name `xx`", "use `x`"),
         ("«ln»(x)", "unknown name `ln`", "the natural logarithm is log"),
-        ("«sine»(x)", "unknown name `sine`", "did you mean `sin"),
+        ("«sine»(x)", "unknown name `sine`", "use `sin"),
         ("«exp» + 1", "`exp` is a function", "exp(x)"),
         ("«min» + 1", "`min` is a function", "min(1, x)"),
         ("«min»(x)", "`min` takes two numbers", "min(1, x)"),
@@ -120,11 +120,11 @@ fn mistakes_have_their_place() {
         ("é + «§»", "unexpected character `§`", ""),
         ("1 + «.»", "expected a number, found `.`", ""),
         ("1 + «1.2.3»", "expected an operator before this", ""),
-        ("«1e31» * x", "beyond the range of 32-bit floats", "1e-30"),
-        ("«1e-40» * x", "beyond the range of 32-bit floats", "1e-30"),
+        ("«1e31» * x", "outside the range of 32-bit floats", "1e-30"),
+        ("«1e-40» * x", "outside the range of 32-bit floats", "1e-30"),
         ("«1 / 0»", "a constant part of it has no finite value", ""),
         ("«x + sqrt(-1)»", "a constant part of it has no finite value", ""),
-        ("«1e30 * 1e30 * x»", "beyond the range of 32-bit floats", ""),
+        ("«1e30 * 1e30 * x»", "outside the range of 32-bit floats", ""),
     ] {
         // If one number follows another, the error is at the second.
         let marked = marked.replace("«1.2.3»", "1.2«.3»");

@@ -23,7 +23,7 @@ fn sides(node: &Node) -> Read<[f64; 2]> {
     let angles: [f64; 2] = array("two angles in degrees, [across, upwards]", positive)(node)?;
     if angles[0] > 360.0 || angles[1] > 180.0 {
         let problem = format!("expected angles of up to [360, 180] degrees, found {angles:?}");
-        return Err(node.fault(problem, "that is all there is to see, from end to end"));
+        return Err(node.fault(problem, "the full sphere is 360 by 180 degrees"));
     }
     Ok(angles)
 }

@@ -20,8 +20,8 @@ pub(crate) fn read(root: &TableReader, law: Option<&dyn Law>, size: [u32; 2]) ->
     let shift = table.or("redshift", false, boolean);
     let hues = shift && table.or("color_shift", false, word(&[("kept", false), ("black-body", true)]));
     if shift && law.is_some_and(|law| frame == CameraFrame::Coordinate || law.facts().momentum_parts.is_empty()) {
-        let problem = "light has a frequency only for an observer, and by a law that says it";
-        let help = "choose an `observer`, with a law of a hole, of a wormhole or by a line element";
+        let problem = "`redshift` requires an observer, and a law that defines the frequency of light";
+        let help = "set `observer`, and use the law of a black hole or wormhole, or kind = \"metric\"";
         table.fault(&["redshift"], problem, help);
     }
     let stereo = stereo(&table, size);
@@ -69,10 +69,10 @@ fn frame(table: &TableReader, law: Option<&dyn Law>) -> CameraFrame {
     if frame != CameraFrame::Coordinate && law.is_some_and(|law| law.frame_part(frame).is_none()) {
         let (problem, help) = match frame {
             CameraFrame::Static => (
-                "the static frame needs a law of a hole or a spacetime",
-                "leave `observer` out: under other laws both frames are the same",
+                "observer = \"static\" requires the law of a black hole or a spacetime",
+                "remove `observer`; under other laws, the static and the coordinate frame are the same",
             ),
-            _ => ("such an observer needs a law of a hole, or a \"metric\"", "leave `observer` out"),
+            _ => ("this observer requires the law of a black hole, or law.kind = \"metric\"", "remove `observer`"),
         };
         table.fault(&["observer"], problem, help);
     }
@@ -82,8 +82,8 @@ fn frame(table: &TableReader, law: Option<&dyn Law>) -> CameraFrame {
 /// Returns the state of a freely falling observer after the proper time `proper`.
 fn after_fall(table: &TableReader, seat: Seat, law: &dyn Law, proper: f64) -> Option<Seat> {
     if seat.frame == CameraFrame::Coordinate {
-        let help = "choose an `observer`: how he moves to begin with";
-        table.fault(&["proper_time"], "time goes by for an observer, and there is none", help);
+        let help = "set `observer`, which defines the initial motion";
+        table.fault(&["proper_time"], "`proper_time` requires an observer", help);
         return None;
     }
     let then = law.seen(None, seat.time);
@@ -96,8 +96,8 @@ fn after_fall(table: &TableReader, seat: Seat, law: &dyn Law, proper: f64) -> Op
             Some(Seat { position: event.x, frame, time: seat.time + event.t })
         }
         Err(end) => {
-            let problem = format!("the observer's path can be followed for {end:.4} of his time, and no further");
-            table.fault(&["proper_time"], problem, "use less");
+            let problem = format!("the observer's path ends at proper time {end:.4}");
+            table.fault(&["proper_time"], problem, "use a smaller `proper_time`");
             None
         }
     }
@@ -114,13 +114,13 @@ fn on_worldline(table: &TableReader, node: &Node, law: Option<&dyn Law>) -> Opti
     if items.len() < 2 {
         table
             .reader
-            .fault(node.fault("a worldline has two events at least", "for example [[0, 9, 0, 0], [20, 5, 0, 0]]"));
+            .fault(node.fault("a worldline requires at least two events", "for example [[0, 9, 0, 0], [20, 5, 0, 0]]"));
         return None;
     }
     let (points, law) = (points?, law?);
     if law.metric(points[0].truncate(), 0.0).is_none() {
-        let help = "use a law of a hole, of a wormhole or by a line element, or straight lines";
-        table.fault(&["worldline"], "this law knows no observers", help);
+        let help = "use the law of a black hole or wormhole, or law.kind = \"metric\" or \"straight\"";
+        table.fault(&["worldline"], "observers are not defined under this law", help);
         return None;
     }
     let (fault, help) = match Path::through(points).and_then(|path| path.after(law, proper)) {
@@ -129,12 +129,16 @@ fn on_worldline(table: &TableReader, node: &Node, law: Option<&dyn Law>) -> Opti
             return Some(Seat { position: event.x, frame, time: event.t });
         }
         Err(NoPath::NotLater(i)) => (items[i].fault("this event is not later than the one before", ""), ""),
-        Err(NoPath::TooFast(i)) => {
-            (items[i].fault("the way to this event is as fast as light, or faster", ""), "give it more time")
-        }
+        Err(NoPath::TooFast(i)) => (
+            items[i].fault("the observer would reach this event at the speed of light or faster", ""),
+            "increase the time of this event",
+        ),
         Err(NoPath::Ends(end)) => {
             let node = table.node("proper_time").unwrap_or(node);
-            (node.fault(format!("the worldline ends after {end:.6} of its own time"), ""), "use less, or more events")
+            (
+                node.fault(format!("the worldline ends at proper time {end:.6}"), ""),
+                "use a smaller `proper_time`, or add events",
+            )
         }
     };
     table.reader.fault(Fault { help: help.to_owned(), ..fault });
@@ -151,7 +155,11 @@ fn event(node: &Node) -> Read<DVec4> {
 
 fn slower_than_light(node: &Node) -> Read<DVec3> {
     let velocity = vector(node)?;
-    if velocity.length() < 1.0 { Ok(velocity) } else { Err(node.fault("the velocity must be below 1, light's", "")) }
+    if velocity.length() < 1.0 {
+        Ok(velocity)
+    } else {
+        Err(node.fault("the velocity must be below 1, the speed of light", ""))
+    }
 }
 
 /// Reads the pair of eyes; returns `None` for a single eye or after an error.
@@ -167,8 +175,8 @@ fn stereo(table: &TableReader, [width, height]: [u32; 2]) -> Option<Stereo> {
         StereoLayout::TopBottom => ("high", height),
     };
     if pixels % 2 == 1 {
-        let problem = format!("a picture that is {pixels} pixels {side} has no halves for two views");
-        table.fault(&["stereo"], problem, "give image.size an even number there");
+        let problem = format!("an image {pixels} pixels {side} cannot be divided into two equal views");
+        table.fault(&["stereo"], problem, "use an even number in image.size");
     }
     Some(Stereo { separation: separation?, layout, convergence })
 }
@@ -183,7 +191,7 @@ fn axes(table: &TableReader, position: DVec3, look_at: DVec3, up: DVec3) -> Opti
     };
     let right = forward.cross(up);
     if right.length() < 1e-9 {
-        let problem = "`up` is parallel to the view";
+        let problem = "`up` is parallel to the viewing direction";
         let help = "choose another `up`, for example [0, 0, 1]";
         table.fault(&["up", "look_at", "position"], problem, help);
         return None;
@@ -194,8 +202,8 @@ fn axes(table: &TableReader, position: DVec3, look_at: DVec3, up: DVec3) -> Opti
 
 fn check_against_law(table: &TableReader, camera: &Camera, law: &dyn Law) {
     if !camera.is_at_one_place() && (camera.shift || law.frame_part(camera.frame) == Some(OBSERVER_PART)) {
-        let help = "leave `observer` and `redshift` out, or use a camera of one eye";
-        table.fault(&["observer"], "an observer is at one place, and rays start at more", help);
+        let help = "remove `observer` and `redshift`, or use a camera with a single viewpoint";
+        table.fault(&["observer"], "an observer requires a single viewpoint, and this camera has several", help);
     }
     let who = if camera.stereo.is_some() { "an eye of the camera" } else { "the camera" };
     // Rays of an orthographic camera start all over a plane; only those inside a capture region are captured.
@@ -209,6 +217,6 @@ fn check_against_law(table: &TableReader, camera: &Camera, law: &dyn Law) {
             Order::Flow => "use kind = \"orthographic\" here, or order = 2 in [law]",
             Order::Place | Order::General => "use kind = \"orthographic\" here",
         };
-        table.fault(&["kind"], format!("a camera at one point sees nothing under this law: {why}"), help);
+        table.fault(&["kind"], format!("a camera at one point cannot be used under this law: {why}"), help);
     }
 }

@@ -68,8 +68,8 @@ fn read(table: &TableReader) -> Control {
     let tolerance = table.or("tolerance", 1e-5, positive);
     let grow_below = table.or("grow_below", tolerance / 10.0, positive);
     if grow_below >= tolerance {
-        let problem = format!("`grow_below` must be less than the tolerance, {tolerance:e}");
-        table.fault(&["grow_below"], problem, "leave it out for a tenth of the tolerance");
+        let problem = format!("expected `grow_below` less than the tolerance, {tolerance:e}");
+        table.fault(&["grow_below"], problem, "remove it to use a tenth of the tolerance");
     }
     let cap = table.or("scaled_step", 0.3, positive);
     Control { grow_below, ..Control::new(if paper { &PAPER } else { &REJECTING }, tolerance, cap) }

@@ -64,7 +64,8 @@ fn part(node: &Node) -> Read<DVec3> {
         let problem = format!("expected channels from 0 to 1, found {}", color.max_element());
         return Err(node.fault(
             problem,
-            "transmittance is the fraction of light left after a unit length; for a medium that adds light, use `emission`",
+            "give the fraction of light that remains after a unit length; for a medium that emits light, use \
+             `emission`",
         ));
     }
     Ok(color)
@@ -81,9 +82,9 @@ fn densities(table: &TableReader, node: &Node) -> Option<Density> {
     if is_text(node) {
         return formulas(table, node, 0.0..=f64::INFINITY).map(Density::Formula);
     }
-    let any = |node: &Node| number_where("a density of 0 or above", |x| x >= 0.0)(node);
+    let any = |node: &Node| number_where("a coefficient of 0 or above", |x| x >= 0.0)(node);
     let read = match node.value {
-        Value::Array(_) => array("three densities, one for each channel", any)(node).map(DVec3::from_array),
+        Value::Array(_) => array("three coefficients, one per channel", any)(node).map(DVec3::from_array),
         _ => any(node).map(DVec3::splat),
     };
     table.reader.accept(read).map(Density::Even)
@@ -104,7 +105,7 @@ fn formulas(table: &TableReader, node: &Node, range: std::ops::RangeInclusive<f6
         Value::Array(items) if items.len() == 3 => items.iter().collect(),
         Value::Text(_) => vec![node],
         _ => {
-            table.reader.fault(node.expected("one formula, or three, in quotes"));
+            table.reader.fault(node.expected("one formula or three, in quotes"));
             return None;
         }
     };
@@ -120,8 +121,8 @@ fn formula(table: &TableReader, node: &Node, range: &std::ops::RangeInclusive<f6
         Ok(formula) => match formula.constant().filter(|value| !range.contains(value)) {
             Some(value) => {
                 let problem = match range.end() {
-                    end if end.is_finite() => format!("expected a part from 0 to 1, found {value}"),
-                    _ => format!("expected a density of 0 or above, found {value}"),
+                    end if end.is_finite() => format!("expected a fraction from 0 to 1, found {value}"),
+                    _ => format!("expected a coefficient of 0 or above, found {value}"),
                 };
                 table.reader.fault_inside(node, 0..written.len(), problem, String::new());
                 None

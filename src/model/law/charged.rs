@@ -32,7 +32,7 @@ pub static KIND: Kind = Kind {
             let most = hole.cosmological_most();
             table.fault(
                 &["cosmological_constant"],
-                "no place outside of this hole is at rest",
+                "outside this black hole, no position has a static observer",
                 format!("use less than {most:.6}"),
             );
         }

@@ -130,7 +130,7 @@ impl Law for RoundHole {
             orbit: (!is_geodesic).then_some(orbit),
             momentum_parts,
             swallows: self.horizon().map(|horizon| self.sphere(horizon)),
-            refuses_interiors: is_geodesic.then_some("interiors go with the path form of the schwarzschild law"),
+            refuses_interiors: is_geodesic.then_some("interiors require law.form = \"path\""),
             ..Facts::default()
         }
     }
@@ -161,7 +161,9 @@ impl Law for RoundHole {
     }
 
     fn remark(&self, _: DVec3, _: f64) -> Option<String> {
-        let remark = || "the hole has no horizon, for Q is above M: its singularity is naked, and repels".to_owned();
+        let remark = || {
+            "the black hole has no horizon, because Q is above M: the singularity is naked, and repels light".to_owned()
+        };
         self.horizon().is_none().then(remark)
     }
 
@@ -199,14 +201,18 @@ impl Law for RoundHole {
         Some(found.ok_or_else(|| match frame {
             CameraFrame::ProgradeOrbit | CameraFrame::RetrogradeOrbit => {
                 let beyond = self.photon_sphere().unwrap_or(0.0);
-                let help = format!("those are in the plane through the hole across law.axis, beyond r = {beyond:.4}");
-                ["is on no circular orbit".to_owned(), help]
+                let help = format!(
+                    "circular orbits are in the plane through the black hole perpendicular to \
+                     law.axis, beyond r = {beyond:.4}"
+                );
+                ["is not on a circular orbit".to_owned(), help]
             }
             CameraFrame::Infalling => {
-                let help = "there charge or Λ has turned it round: use observer = \"boosted\" and camera.velocity";
-                ["is where nothing has fallen from rest", help].map(str::to_owned)
+                let help = "charge or Λ turns infalling observers back before this position; use observer = \
+                            \"boosted\" and camera.velocity";
+                ["is where no observer can have fallen from rest", help].map(str::to_owned)
             }
-            _ => ["is where nothing is at rest", "move it"].map(str::to_owned),
+            _ => ["is where nothing can be static", "move it"].map(str::to_owned),
         }))
     }
 
@@ -221,6 +227,6 @@ impl Law for RoundHole {
             _ => format!("2M = {horizon}"),
         };
         let problem = || format!("is inside the horizon: r = {r:.4} ≤ {}", horizon_words());
-        (r <= horizon).then(|| [problem(), "move it away from the hole".to_owned()])
+        (r <= horizon).then(|| [problem(), "move it away from the black hole".to_owned()])
     }
 }

@@ -151,14 +151,14 @@ impl KerrNewman {
 
     fn says_static(&self) -> [String; 2] {
         let edge = self.mass + (self.mass * self.mass - self.charge * self.charge).max(0.0).sqrt();
-        let problem = "is inside the ergosphere, where nothing is at rest".to_owned();
-        [problem, format!("use observer = \"zamo\", or move it away: beyond r = {edge:.4} nothing is inside")]
+        let problem = "is inside the ergosphere, where nothing can be static".to_owned();
+        [problem, format!("use observer = \"zamo\", or move it: the ergosphere ends at r = {edge:.4}")]
     }
 
     fn says_orbiting(&self, sense: f64) -> [String; 2] {
         let orbit = self.circular_light(sense).map_or(String::new(), |r| format!(", beyond r = {r:.4}"));
-        let problem = "is on no circular orbit".to_owned();
-        [problem, format!("those are in the plane through the hole across its axis{orbit}")]
+        let problem = "is not on a circular orbit".to_owned();
+        [problem, format!("circular orbits are in the plane through the black hole perpendicular to its axis{orbit}")]
     }
 }
 
@@ -188,9 +188,11 @@ impl Law for KerrNewman {
             momentum_parts: &["law/momentum/kerr_newman"],
             below: self.horizon().map(|horizon| ("law/below_kerr_newman", self.spheroid(horizon))),
             swallows: self.inner_horizon().map(|inner| self.spheroid(inner)),
-            refuses_interiors: Some("light has speeds of its own round a spinning hole"),
+            refuses_interiors: Some(
+                "under the law of a rotating black hole, the speed of light in an interior is not defined",
+            ),
             refuses_sent_light: Some(
-                "it goes other ways round a spinning hole than what is followed back from the camera",
+                "near a rotating black hole, light does not retrace the path of a ray from the camera",
             ),
             ..Facts::default()
         }
@@ -267,7 +269,7 @@ impl Law for KerrNewman {
 
     fn remark(&self, _: DVec3, _: f64) -> Option<String> {
         let remark =
-            || "the hole has no horizon, for a² + Q² is above M²: the ring of its singularity is naked".to_owned();
+            || "the black hole has no horizon, because a² + Q² is above M²: the ring singularity is naked".to_owned();
         self.horizon().is_none().then(remark)
     }
 
@@ -302,7 +304,7 @@ impl Law for KerrNewman {
             CameraFrame::Static => self.says_static(),
             CameraFrame::ProgradeOrbit => self.says_orbiting(1.0),
             CameraFrame::RetrogradeOrbit => self.says_orbiting(-1.0),
-            _ => ["is where there can be no such observer", "move it away from the hole"].map(str::to_owned),
+            _ => ["is where this observer cannot exist", "move it away from the black hole"].map(str::to_owned),
         }))
     }
 
@@ -313,6 +315,6 @@ impl Law for KerrNewman {
     fn refuses_eye(&self, at: DVec3) -> Option<[String; 2]> {
         let (r, inner) = (self.at(at).r, self.inner_horizon()?.max(NEAR * self.mass));
         let problem = || format!("is inside the inner horizon: r = {r:.4} ≤ {inner:.4}");
-        (r <= inner).then(|| [problem(), "move it away from the hole".to_owned()])
+        (r <= inner).then(|| [problem(), "move it away from the black hole".to_owned()])
     }
 }

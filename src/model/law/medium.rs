@@ -22,7 +22,7 @@ pub static KIND: Kind = Kind {
         let node = table.required_node("index", "{ kind = \"maxwell-fisheye\", n0 = 2, a = 1 }")?;
         let medium = medium::read(table, node, Surroundings::default(), files)?;
         if medium.facts().is_of_surfaces {
-            let problem = "a textured index is that of surfaces, and space has none";
+            let problem = "a textured index applies only to surfaces, not to space";
             table.fault(&["index"], problem, "use kind = \"noise\", or give it to an object as `interior`");
             return None;
         }
@@ -65,8 +65,9 @@ impl Law for InMedium {
     }
 
     fn refuses_eye(&self, at: DVec3) -> Option<[String; 2]> {
-        let dark =
-            || ["is where the index is 0, and no light comes".to_owned(), "move it to where n is above 0".to_owned()];
+        let dark = || {
+            ["is where the index is 0, which no light reaches".to_owned(), "move it to where n is above 0".to_owned()]
+        };
         (self.0.index(at) == Some(0.0)).then(dark)
     }
 }

@@ -193,7 +193,7 @@ impl<'a> Facts<'a> {
     /// Returns the properties of a flow, which is a first-order law.
     #[must_use]
     pub fn flow() -> Self {
-        const SAME: &str = "all rays from there follow the same orbit";
+        const SAME: &str = "all rays from a point follow the same orbit";
         Self {
             order: Order::Flow,
             ignores_direction: Some(SAME),

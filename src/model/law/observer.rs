@@ -108,5 +108,5 @@ pub(super) fn four_velocity(
 pub(super) fn in_space(metric: &DMat4, frame: CameraFrame) -> Option<Result<DVec4, [String; 2]>> {
     let is_known = matches!(frame, CameraFrame::Static | CameraFrame::Eulerian | CameraFrame::Boosted(_));
     let found = || four_velocity(metric, frame, DVec3::ZERO, &|_| None);
-    is_known.then(|| found().ok_or_else(|| ["is nowhere", "move it"].map(str::to_owned)))
+    is_known.then(|| found().ok_or_else(|| ["is where this observer cannot exist", "move it"].map(str::to_owned)))
 }

@@ -78,7 +78,7 @@ impl Throat {
     /// Returns why rays cannot be followed within a bounding sphere of this radius: the law's invalid key, the problem and the remedy.
     pub(crate) fn refuses_bound(&self, radius: f64) -> Option<(&'static str, [String; 2])> {
         let (apart, enough) = (self.mouths[0].distance(self.mouths[1]), 2.0 * radius);
-        let problem = || format!("the bounding spheres round the two mouths overlap: they are {apart} apart");
+        let problem = || format!("the bounding spheres around the two mouths overlap: the mouths are {apart} apart");
         (apart <= enough)
             .then(|| ("other_mouth", [problem(), format!("move it to more than {enough} from law.center")]))
     }
@@ -87,7 +87,7 @@ impl Throat {
     pub(super) fn refuses_eye(&self, at: DVec3) -> Option<[String; 2]> {
         let (away, rim) = (self.offset(at).0.length(), self.rim());
         let problem = || format!("is inside the mouth's sphere: {away:.4} ≤ {rim:.4}");
-        (away <= rim).then(|| [problem(), "move it out: the throat is that sphere".to_owned()])
+        (away <= rim).then(|| [problem(), "move it out of the throat, which is this sphere".to_owned()])
     }
 
     /// Returns the spheres of a diagram.

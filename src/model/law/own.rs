@@ -87,8 +87,12 @@ fn is_name(name: &str, node: &Node) -> Read<()> {
     let fits = name.starts_with(|c: char| c.is_ascii_alphabetic())
         && name.chars().all(|c| c.is_ascii_alphanumeric() || c == '_')
         && !name.contains("__");
-    let problem = || format!("`{name}` is no name in WGSL");
-    if fits { Ok(()) } else { Err(node.fault(problem(), "use letters, digits and single underscores, a letter first")) }
+    let problem = || format!("`{name}` is not a valid WGSL name");
+    if fits {
+        Ok(())
+    } else {
+        Err(node.fault(problem(), "use letters, digits and single underscores, and begin with a letter"))
+    }
 }
 
 /// Checks that the file uses the parameter; otherwise, one of the two is misspelled.
@@ -97,8 +101,10 @@ fn is_used(name: &str, node: &Node, text: Option<&str>) -> Read<()> {
     if text.is_none() || words.any(|word| word == name) {
         return Ok(());
     }
-    Err(node
-        .fault(format!("the law's file does not use `{name}`"), format!("write law.{name} there, or take this out")))
+    Err(node.fault(
+        format!("the law's file does not use `{name}`"),
+        format!("use law.{name} there, or remove this parameter"),
+    ))
 }
 
 fn parameter(node: &Node) -> Read<Value> {
@@ -107,7 +113,7 @@ fn parameter(node: &Node) -> Read<Value> {
         [x, y] => Ok(Value::Vec2(DVec2::new(x, y))),
         [x, y, z] => Ok(Value::Vec3(DVec3::new(x, y, z))),
         [x, y, z, w] => Ok(Value::Vec4(DVec4::new(x, y, z, w))),
-        _ => Err(node.expected("a number, or an array of 2 to 4")),
+        _ => Err(node.expected("a number, or an array of 2 to 4 numbers")),
     }
 }
 
@@ -210,7 +216,7 @@ impl Law for OwnLaw {
 
     /// The steps are scaled, because the author specifies the scale over which the law changes.
     fn facts(&self) -> Facts<'_> {
-        let time = "behind a surface a law that depends on τ would begin again at 0";
+        let time = "a law that depends on τ would restart at τ = 0 at each surface";
         let by = |order| Facts { order, refuses_interiors: Some(OWN_SPEED), ..Facts::default() };
         let facts = match self.depends {
             Depends::Place => by(Order::Place),

@@ -73,7 +73,7 @@ fn range(node: &Node) -> Read<[f64; 2]> {
     if first < last {
         Ok([first, last])
     } else {
-        Err(node.fault("the range of t is empty", "the first t is less than the last"))
+        Err(node.fault("the range of t is empty", "make the first t less than the last"))
     }
 }
 
@@ -137,13 +137,17 @@ impl Parametric {
                     if self.curve.at(*t)[0][k].is_finite() { "the derivative of the formula" } else { "the formula" };
                 let problem = format!("{what} has no finite value at t = {t}, which is in the range of t");
                 let help =
-                    format!("change it, or take a range without that in `t`, which is [{}, {}]", self.first, self.last);
+                    format!("change it, or exclude that value from `t`, which is [{}, {}]", self.first, self.last);
                 table.fault(&[key], problem, help);
                 sound = false;
             }
         }
         if sound && all.iter().all(|t| self.curve.at(*t)[1] == DVec3::ZERO) {
-            table.fault(&["x"], "the curve stands still: none of its formulas changes with t", "for example y = \"t\"");
+            table.fault(
+                &["x"],
+                "the curve is a single point, because none of its formulas depends on t",
+                "for example y = \"t\"",
+            );
             sound = false;
         }
         sound
@@ -166,7 +170,7 @@ impl Law for Parametric {
     }
 
     fn facts(&self) -> Facts<'_> {
-        const SAME: &str = "all rays from there follow the same curve";
+        const SAME: &str = "all rays from a point follow the same curve";
         Facts {
             order: Order::General,
             carries_time: true,
@@ -175,7 +179,7 @@ impl Law for Parametric {
             length: Some(self.last - self.first),
             ignores_direction: Some(SAME),
             refuses_sent_light: Some(SAME),
-            refuses_surfaces: Some("a parametric ray has no direction of its own to go on in"),
+            refuses_surfaces: Some("a parametric ray has no direction in which it could leave a surface"),
             ..Facts::default()
         }
     }

@@ -24,7 +24,7 @@ pub static KIND: Kind = Kind {
         let tables = table.subtables("sources", "law.sources");
         if tables.is_empty() {
             let help = "add [[law.sources]] with position = [0, 0, 0] and strength = 1";
-            table.fault(&["sources", "kind"], "a law of sources needs at least one", help);
+            table.fault(&["sources", "kind"], "kind = \"sources\" requires at least one source", help);
             return None;
         }
         // All sources are read before the first error returns, so that every error is reported.
@@ -52,7 +52,7 @@ fn source(table: TableReader) -> Option<Source> {
 
 /// The reason why light cannot cross surfaces under this law.
 pub(super) const OWN_SPEED: &str =
-    "an interior needs a law by which light has no speed of its own: straight, schwarzschild or medium";
+    "interiors require a law under which the speed of light is constant: straight, schwarzschild or medium";
 
 /// Any number of sources.
 #[derive(Debug, Clone, PartialEq)]

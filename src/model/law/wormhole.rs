@@ -30,11 +30,7 @@ pub static KIND: Kind = Kind {
         let mass = table.optional("mass", positive);
         let length = table.or("length", 0.0, not_negative);
         if mass.is_none() && length > 0.0 {
-            table.fault(
-                &["length"],
-                "Ellis's throat has no tube",
-                "add `mass`, by which the throat opens, or leave it out",
-            );
+            table.fault(&["length"], "an Ellis wormhole has no cylindrical part", "add `mass`, or remove `length`");
         }
         Some(Arc::new(Wormhole {
             radius: table.or("radius", 1.0, positive),
@@ -105,8 +101,8 @@ impl Law for Wormhole {
             keeps_time: true,
             throat: Some(self.joint()),
             momentum_parts: &["law/momentum/wormhole"],
-            refuses_interiors: Some("light has speeds of its own round a wormhole's mouth"),
-            refuses_sent_light: Some("it has more ways through a wormhole than are looked for"),
+            refuses_interiors: Some("near a wormhole, the speed of light in an interior is not defined"),
+            refuses_sent_light: Some("light has more paths through a wormhole than bentray searches for"),
             ..Facts::default()
         }
     }

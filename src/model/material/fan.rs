@@ -48,7 +48,7 @@ fn ray(table: &TableReader, item: &Node) -> Option<FanRay> {
     let nodes = match &item.value {
         Value::Array(nodes) if nodes.len() == 4 => nodes,
         _ => {
-            table.reader.fault(item.expected("four formulas: the direction's x, y and z, and the weight"));
+            table.reader.fault(item.expected("four formulas: the x, y and z of the direction, and the weight"));
             return None;
         }
     };

@@ -167,7 +167,7 @@ pub(crate) fn read<'a>(root: &TableReader<'_, 'a>, files: &mut Files, paths: boo
 fn check_albedo(table: &TableReader, material: &Material, pictures: &[Picture]) {
     let albedo = material.surface.albedo(material.color.largest(pictures)).max_element();
     if albedo > 1.0 + 1e-9 {
-        let problem = format!("this surface gives back up to {albedo:.4} of the light that it gets");
-        table.fault(&[], problem, "on paths its parts must add up to 1 or less in every channel");
+        let problem = format!("this surface reflects up to {albedo:.4} times the light that it receives");
+        table.fault(&[], problem, "for path tracing, reduce its colors to a sum of at most 1 per channel");
     }
 }

@@ -159,7 +159,7 @@ fn given(table: &TableReader, path: &'static str, node: &Node, files: &mut Files
         Some(("color", node)) => reader.accept(color(node).map(Pattern::Constant)),
         Some(("checker", node)) => {
             let repeat = table.or("repeat", DVec2::splat(8.0), extents_2d);
-            let colors = reader.accept(array("two colours", color)(node));
+            let colors = reader.accept(array("two colors", color)(node));
             colors.map(|colors| Pattern::Checker { colors, repeat })
         }
         Some((_, node)) => {

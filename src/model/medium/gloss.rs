@@ -65,8 +65,12 @@ pub(super) fn read(table: &TableReader) -> Gloss {
         (None, ..) => Gloss::Lobes { reflect, transmit },
         (Some(roughness), None, None) => Gloss::Microfacets { roughness },
         (Some(_), ..) => {
-            let help = "keep `roughness` for microfacets, or the exponents for the thesis's lobes";
-            table.fault(&["roughness"], "a surface is rough in one way", help);
+            let help = "keep either `roughness` (microfacets) or the exponents (lobes)";
+            table.fault(
+                &["roughness"],
+                "`roughness` cannot be combined with `reflect_exponent` or `transmit_exponent`",
+                help,
+            );
             Gloss::Smooth
         }
     }

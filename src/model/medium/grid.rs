@@ -42,7 +42,7 @@ fn samples(table: &TableReader, files: &mut Files) -> Option<Arc<IndexGrid>> {
     }
     let corners = min.zip(max).map(<[DVec3; 2]>::from);
     if bare.is_some() && corners.is_none() {
-        let help = "for example min = [-1, -1, -1] and max = [1, 1, 1]: where the first and the last sample are";
+        let help = "for example min = [-1, -1, -1] and max = [1, 1, 1], the positions of the first and the last sample";
         table.fault(&[], "missing keys `min` and `max`", help);
         return None;
     }
@@ -60,7 +60,7 @@ fn bare(table: &TableReader) -> Option<Bare> {
 /// Returns `true` if both corners are present and ordered, or if both are missing.
 fn corners_fit(table: &TableReader, min: Option<DVec3>, max: Option<DVec3>) -> bool {
     if table.gives("min") != table.gives("max") {
-        table.fault(&["min", "max"], "`min` and `max` go together", "");
+        table.fault(&["min", "max"], "`min` and `max` must be given together", "");
         return false;
     }
     let Some((min, max)) = min.zip(max) else {

@@ -35,7 +35,7 @@ fields! {
 /// Reads a gradient that is not zero, because the index would otherwise be constant.
 fn gradient(node: &Node) -> Read<DVec3> {
     let gradient = vector(node)?;
-    let none = || Err(node.fault("without a gradient the index is constant", "use kind = \"constant\""));
+    let none = || Err(node.fault("without a gradient, the index is constant", "use kind = \"constant\""));
     if gradient == DVec3::ZERO { none() } else { Ok(gradient) }
 }
 

@@ -24,7 +24,7 @@ fields! {
         /// The radius R.
         radius: f64 as Float = length(table, "radius", "1", around),
         /// The constant C ≥ 2.
-        c: f64 as Float = Some(table.or("c", 2.0, number_where("a number of 2 or more", |c| c >= 2.0))),
+        c: f64 as Float = Some(table.or("c", 2.0, number_where("a number of 2 or above", |c| c >= 2.0))),
     }
 }
 

@@ -16,11 +16,12 @@ pub(super) const AMPLITUDE: Key = keys! {
         "amplitude of the noise, which reaches 125/64 · (2 − 2^(1 − octaves)) times this; n must stay above 0; textured: index at the surface, with straight paths inside";
 }[0];
 /// The key `frequency`.
-pub(super) const FREQUENCY: Key = keys! { frequency: "number above 0" = "required", "lattice cells a unit length"; }[0];
+pub(super) const FREQUENCY: Key =
+    keys! { frequency: "number above 0" = "required", "lattice cells per unit length"; }[0];
 /// The key `octaves`.
-pub(super) const OCTAVES: Key = keys! { octaves: "whole number, 1 to 8" = "1", "terms of the noise"; }[0];
+pub(super) const OCTAVES: Key = keys! { octaves: "whole number, 1 to 8" = "1", "number of octaves of the noise"; }[0];
 /// The key `seed`.
-pub(super) const SEED: Key = keys! { seed: "whole number" = "0", "chooses the noise"; }[0];
+pub(super) const SEED: Key = keys! { seed: "whole number" = "0", "seed of the noise"; }[0];
 
 pub static KIND: Kind = Kind {
     name: "noise",
@@ -65,7 +66,7 @@ fn octaves(table: &TableReader, n0: f64, amplitude: Option<f64>) -> Option<u32> 
     let problem = format!("n could fall to {:.4}, and must stay above 0", n0 - amplitude * reach);
     // Rounded down, and always below n₀/reach.
     let most = ((n0 / reach * 1e3).ceil() - 1.0) / 1e3;
-    let help = format!("so much noise goes up to {reach} times its amplitude: {most} would do");
+    let help = format!("use an amplitude of {most} or less; the noise reaches {reach} times its amplitude");
     table.fault(&["amplitude"], problem, help);
     None
 }

@@ -93,19 +93,27 @@ fn read(table: &TableReader) -> Option<Sellmeier> {
     let (b, c) = (table.optional("b", terms), table.optional("c", terms));
     if let Some(glass) = table.optional("glass", word(&GLASSES)) {
         if table.gives("b") || table.gives("c") {
-            table.fault(&["glass"], "a glass has its own B and C", "leave b and c out, or the glass");
+            table.fault(&["glass"], "`glass` defines B and C", "remove `b` and `c`, or `glass`");
         }
         return Some(glass);
     }
     let (Some(b), Some(c)) = (b, c) else {
         let is_complete = table.gives("glass") || (table.gives("b") && table.gives("c"));
         if !is_complete {
-            table.fault(&[], "it has no numbers", "name a glass, such as glass = \"BK7\", or give both b and c");
+            table.fault(
+                &[],
+                "a Sellmeier medium requires a glass or coefficients",
+                "name a glass, such as glass = \"BK7\", or give both `b` and `c`",
+            );
         }
         return None;
     };
     if b.len() != c.len() {
-        table.fault(&["c"], format!("b has {} numbers, and this has {}", b.len(), c.len()), "give as many of both");
+        table.fault(
+            &["c"],
+            format!("`b` has {} numbers, and `c` has {}", b.len(), c.len()),
+            "give the same number of values in both",
+        );
         return None;
     }
     let filled = |values: &[f64]| std::array::from_fn(|k| values.get(k).copied().unwrap_or(0.0));
@@ -114,13 +122,13 @@ fn read(table: &TableReader) -> Option<Sellmeier> {
     if c.iter().any(|c| visible.contains(c)) {
         table.fault(
             &["c"],
-            "a resonance lies in visible light",
-            "they are in square micrometres, from 0.1444 to 0.5329 of it",
+            "a resonance is within the visible spectrum",
+            "use values in square micrometers, outside the visible range of 0.1444 to 0.5329",
         );
         return None;
     }
     if !(medium.square(*VISIBLE.start()) > 0.0 && medium.square(*VISIBLE.end()) > 0.0) {
-        table.fault(&["b"], "n² is not positive in visible light", "check the numbers: λ is in micrometres");
+        table.fault(&["b"], "n² is not positive in visible light", "check the coefficients, for λ in micrometers");
         return None;
     }
     Some(medium)
@@ -144,7 +152,7 @@ impl Medium for Sellmeier {
     fn refuses_wavelength(&self, wavelength: f64) -> Option<String> {
         if let Some(((name, _), range)) = GLASSES.iter().zip(RANGES).find(|((_, medium), _)| medium == self) {
             let (from, to) = (range.start(), range.end());
-            let problem = || format!("the formula of {name} holds from {from} to {to} nm, and this is {wavelength}");
+            let problem = || format!("the formula of {name} is valid from {from} to {to} nm, not at {wavelength}");
             return (!range.contains(&wavelength)).then(problem);
         }
         let resonances = self.b.iter().zip(self.c).filter(|(b, c)| **b != 0.0 && *c > 0.0);
@@ -152,7 +160,7 @@ impl Medium for Sellmeier {
         let visible = D_LINE.min(wavelength)..=D_LINE.max(wavelength);
         if let Some(at) = resonances.find(|at| visible.contains(at)) {
             return Some(format!(
-                "a resonance of the formula, at {at:.0} nm, lies between visible light and {wavelength} nm"
+                "the formula has a resonance at {at:.0} nm, between visible light and {wavelength} nm"
             ));
         }
         (self.square(wavelength) <= 0.0).then(|| format!("n² is not positive at {wavelength} nm"))

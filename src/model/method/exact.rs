@@ -12,12 +12,12 @@ pub static KIND: Kind = Kind {
     refuses: |scene| {
         let mut refused = Vec::new();
         if scene.needs_solver {
-            let problem = "the exact method is for straight rays and for media whose paths have a closed form";
+            let problem = "the exact method requires straight rays, or media whose paths have a closed form";
             refused.push(Refusal::method(problem));
         }
         if scene.has_chords {
             let help = "use segment = \"arc\", or another method";
-            refused.push(Refusal { key: "segment", problem: "the exact method has no chords", help });
+            refused.push(Refusal { key: "segment", problem: "the exact method does not support chords", help });
         }
         refused
     },

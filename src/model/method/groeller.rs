@@ -13,11 +13,11 @@ pub static KIND: Kind = Kind {
     refuses: |scene| {
         let mut refused = Vec::new();
         if scene.order == Order::General || scene.has_medium {
-            refused.push(Refusal::method("Gröller's iteration is for sources of force and for flows"));
+            refused.push(Refusal::method("Gröller's iteration requires sources of force, or a flow"));
         }
         if !scene.has_chords {
-            let help = "use segment = \"chord\", or leave it out";
-            refused.push(Refusal { key: "segment", problem: "Gröller's iteration is made of straight steps", help });
+            let help = "use segment = \"chord\", or remove `segment`";
+            refused.push(Refusal { key: "segment", problem: "Gröller's iteration consists of straight steps", help });
         }
         refused
     },

@@ -17,8 +17,8 @@ pub static KIND: Kind = Kind {
 pub(super) fn needs_place_alone(order: Order) -> Vec<Refusal> {
     let problem = match order {
         Order::Place => return Vec::new(),
-        Order::Flow => "this method is for laws of the second order, and the flow is of the first",
-        Order::General => "this method is for accelerations that depend on place alone, and this law's depends on more",
+        Order::Flow => "this method requires a law of the second order, and the flow is of the first",
+        Order::General => "this method requires an acceleration that depends on position alone",
     };
     vec![Refusal::method(problem)]
 }

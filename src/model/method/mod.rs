@@ -142,7 +142,7 @@ pub struct Refusal {
 impl Refusal {
     /// Creates a refusal of the method itself.
     pub(super) const fn method(problem: &'static str) -> Self {
-        Self { key: "method", problem, help: "use rk4, or leave `method` out" }
+        Self { key: "method", problem, help: "use rk4, or remove `method`" }
     }
 }
 
@@ -151,15 +151,15 @@ pub(super) fn refuses_orbits(scene: Demands) -> Vec<Refusal> {
     let mut refused = Vec::new();
     if scene.ends {
         let problem = "steps along an orbit are measured by angle and cannot end at a given τ";
-        refused.push(Refusal {
-            key: "max_parameter",
-            problem,
-            help: "use dormand-prince, or leave `max_parameter` out",
-        });
+        refused.push(Refusal { key: "max_parameter", problem, help: "use dormand-prince, or remove `max_parameter`" });
     }
     if scene.has_chords {
         let help = "use segment = \"arc\", or another method";
-        refused.push(Refusal { key: "segment", problem: "a method of orbits has no chords", help });
+        refused.push(Refusal {
+            key: "segment",
+            problem: "a method that integrates orbits does not support chords",
+            help,
+        });
     }
     refused
 }

@@ -13,9 +13,10 @@ pub static KIND: Kind = Kind {
     refuses: |scene| {
         let mut refused = Vec::new();
         if scene.has_solved_interior {
-            refused.push(Refusal::method("planar has no way through these interiors"));
+            refused.push(Refusal::method("planar cannot follow rays through these interiors"));
         } else if !scene.has_plane {
-            refused.push(Refusal::method("planar needs a law with a single centre, which keeps a ray in its plane"));
+            refused
+                .push(Refusal::method("planar requires a law with a single center, so that each ray stays in a plane"));
         }
         refused.extend(refuses_orbits(*scene));
         refused

@@ -13,7 +13,8 @@ pub static KIND: Kind = Kind {
     refuses: |scene| {
         let mut refused = Vec::new();
         if !scene.separates {
-            refused.push(Refusal::method("separated needs the kerr-newman law, of a hole with a horizon"));
+            refused
+                .push(Refusal::method("separated requires law.kind = \"kerr-newman\" and a black hole with a horizon"));
         }
         refused.extend(refuses_orbits(*scene));
         refused

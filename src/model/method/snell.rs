@@ -8,7 +8,7 @@ pub static KIND: Kind = Kind {
     name: "snell",
     parts: &["method/step/snell"],
     refuses: |scene| {
-        let problem = "snell needs law.kind = \"medium\", or an interior that bends light";
+        let problem = "snell requires law.kind = \"medium\", or an interior that bends light";
         if scene.has_medium { Vec::new() } else { vec![Refusal::method(problem)] }
     },
     sweeps: || vec![("snell", scaled::sweep(16))],

@@ -33,10 +33,10 @@ fn place(table: &TableReader) -> Option<DAffine3> {
     };
     let (center, size) = match (corners, center.is_some() || size.is_some()) {
         ((None, None), _) => (center.unwrap_or(DVec3::ZERO), size.unwrap_or(DVec3::ONE)),
-        (_, true) => return refuse(&["min", "max"], "a box has `center` and `size`, or `min` and `max`, not both"),
+        (_, true) => return refuse(&["min", "max"], "a box has either `center` and `size`, or `min` and `max`"),
         ((Some(min), Some(max)), _) if min.cmplt(max).all() => ((min + max) / 2.0, max - min),
         ((Some(_), Some(_)), _) => return refuse(&["max"], "`max` must be above `min` in x, y and z"),
-        _ => return refuse(&["min", "max"], "`min` and `max` go together"),
+        _ => return refuse(&["min", "max"], "`min` and `max` must be given together"),
     };
     Some(DAffine3::from_scale_rotation_translation(size / 2.0, DQuat::IDENTITY, center))
 }

@@ -24,7 +24,7 @@ pub static KIND: Kind = Kind {
         let radius = table.or("radius", 1.0, positive);
         let hole = table.or("inner_radius", 0.0, not_negative);
         if hole >= radius {
-            table.fault(&["inner_radius"], format!("the hole must be smaller than the radius, {radius}"), "");
+            table.fault(&["inner_radius"], format!("expected an inner radius less than the radius, {radius}"), "");
             return None;
         }
         Some((Arc::new(Disk { hole: hole / radius }), place * DAffine3::from_scale(DVec3::splat(radius))))
@@ -55,7 +55,7 @@ impl Shape for Disk {
     }
 
     fn refuses_interior(&self) -> Option<String> {
-        Some("a disk has no inside".to_owned())
+        Some("a disk has no interior".to_owned())
     }
 
     fn contacts(&self, map: DAffine3) -> Vec<Contact> {

@@ -42,7 +42,7 @@ impl Shape for Plane {
     }
 
     fn refuses_interior(&self) -> Option<String> {
-        Some("a plane has no inside".to_owned())
+        Some("a plane has no interior".to_owned())
     }
 
     fn contacts(&self, map: DAffine3) -> Vec<Contact> {

@@ -56,7 +56,7 @@ fn object(
     let transform = place?;
     let travel = travel::read(table, law, Some(ball(shape.radius(), &transform).0));
     if travel.is_some() && shape.mesh().is_some() {
-        table.fault(&["orbit", "velocity"], "meshes stand still", "move a shape that is no mesh");
+        table.fault(&["orbit", "velocity"], "meshes cannot move", "use a shape that is not a mesh");
     }
     if let Some((centers, radius)) = bound {
         let reach = |center: &DVec3| match travel {
@@ -86,7 +86,7 @@ fn substance(
     let interior = medium::read_interior(table, node, around, files);
     let priority = table.or("priority", 0, whole(0..=1000));
     if let Some(problem) = object.and_then(|(shape, _)| shape.refuses_interior()) {
-        table.fault(&["interior"], problem, "give it a `material`, or use another shape, such as a closed mesh");
+        table.fault(&["interior"], problem, "set `material`, or use another shape, such as a closed mesh");
     }
     interior.map(|interior| Substance::Clear(Interior { priority, ..interior }))
 }
@@ -100,9 +100,9 @@ fn check_vertex_colors(table: &TableReader, shape: &dyn Shape, name: &str, mater
     let lacks =
         shape.mesh().map_or_else(|| Some("only meshes have vertex colors".to_owned()), |mesh| mesh.lacks_colors());
     if let Some(lacks) = lacks {
-        let problem = format!("the material `{name}` has `vertex_colors = true`, and {lacks}");
-        let help = "leave `vertex_colors` out there, or use a mesh that has them: lines `v x y z red green blue` of OBJ, properties \
-                    `red`, `green` and `blue` of PLY's vertices, or `COLOR_0` of glTF";
+        let problem = format!("the material `{name}` has `vertex_colors = true`, but {lacks}");
+        let help = "remove `vertex_colors` there, or use a mesh with vertex colors: lines `v x y z red green blue` in \
+                    OBJ, vertex properties `red`, `green` and `blue` in PLY, or `COLOR_0` in glTF";
         table.fault(&["material"], problem, help);
     }
 }
@@ -110,8 +110,8 @@ fn check_vertex_colors(table: &TableReader, shape: &dyn Shape, name: &str, mater
 fn material(node: &Node, materials: &[&str]) -> Read<usize> {
     let name = text(node)?;
     let unknown = || match materials {
-        [] => node.fault(format!("there is no material `{name}`"), format!("add [materials.{name}]")),
-        _ => node.fault(format!("there is no material `{name}`"), suggest(name, materials, "materials")),
+        [] => node.fault(format!("unknown material `{name}`"), format!("add [materials.{name}]")),
+        _ => node.fault(format!("unknown material `{name}`"), suggest(name, materials, "materials")),
     };
     materials.iter().position(|known| *known == name).ok_or_else(unknown)
 }
@@ -130,9 +130,9 @@ fn check_inside(table: &TableReader, reaches: impl Iterator<Item = f64>, radius:
     };
     if reach > radius * (1.0 + 1e-9) {
         let beyond = round_up(reach - radius);
-        let problem = format!("the object reaches {beyond} beyond the bound, where rays do not come");
+        let problem = format!("the object extends {beyond} beyond the bounding sphere, where no rays are traced");
         let enough = round_up(reach);
-        let help = format!("for this object a radius of {enough} would do in rays.bounding_sphere");
+        let help = format!("use a radius of at least {enough} in rays.bounding_sphere");
         table.fault(&["shape"], problem, help);
     }
 }

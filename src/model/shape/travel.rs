@@ -105,8 +105,8 @@ pub(super) fn read(table: &TableReader, law: Option<&dyn Law>, middle: Option<DV
     };
     let k = travel.velocity_at(middle).extend(1.0);
     if law.metric(middle, 0.0).is_some_and(|metric| k.dot(metric * k) >= 0.0) {
-        let help = "move it more slowly, or elsewhere";
-        table.fault(&[key], "the object would move as fast as light, or faster", help);
+        let help = "reduce its speed, or move it elsewhere";
+        table.fault(&[key], "the object would move at the speed of light or faster", help);
     }
     Some(travel)
 }
@@ -115,7 +115,7 @@ pub(super) fn read(table: &TableReader, law: Option<&dyn Law>, middle: Option<DV
 fn orbit(table: &TableReader, node: &Node, law: &dyn Law, middle: DVec3) -> Option<Travel> {
     let Some([center, axis]) = law.equator() else {
         let help = "use `velocity`, or law.kind = \"kerr-newman\"";
-        table.fault(&["orbit"], "there is nothing to go round under this law", help);
+        table.fault(&["orbit"], "this law has no center that an object could orbit", help);
         return None;
     };
     let frame = match &node.value {
@@ -125,7 +125,7 @@ fn orbit(table: &TableReader, node: &Node, law: &dyn Law, middle: DVec3) -> Opti
             return Some(Travel::round(center, axis, table.reader.accept(number(node))?));
         }
         _ => {
-            table.reader.fault(node.expected("\"prograde\", \"retrograde\" or a rate of turning"));
+            table.reader.fault(node.expected("\"prograde\", \"retrograde\" or an angular velocity"));
             return None;
         }
     };

@@ -72,8 +72,14 @@ fn a_value_that_does_not_fit_is_found_at_its_track() {
     for (text, k, line, column, problem) in [
         (track("camera.fov", "values = [-3, 40]"), 0, 9, 11, "expected an angle between 0 and 180 degrees, found -3"),
         (track("camera.fav", "values = [3, 40]"), 3, 8, 7, "unknown key `fav`"),
-        (track("objects.0.radius", "values = [3, 40]"), 3, 8, 7, "expected tables, each headed [[objects]]"),
-        (track("image.samples", "values = [1, 4]"), 3, 9, 11, "expected a whole number, 1 to 1048576, found a number"),
+        (track("objects.0.radius", "values = [3, 40]"), 3, 8, 7, "expected tables with the header [[objects]]"),
+        (
+            track("image.samples", "values = [1, 4]"),
+            3,
+            9,
+            11,
+            "expected a whole number from 1 to 1048576, found a number",
+        ),
     ] {
         let mistakes = mistakes_of(frame(&text, &[], k));
         assert_eq!(mistakes.len(), 1, "{mistakes:?}");

@@ -71,7 +71,7 @@ fn loops_of_an_stl_that_are_not_closed_are_refused() {
     let whole = facet("  endloop\n");
     assert_eq!(mesh("a.stl", format!("solid\n{whole}{whole}endsolid\n")), Ok(2));
     let error = mesh("a.stl", format!("solid\n{}{whole}endsolid\n", facet(""))).expect_err("a loop is open");
-    assert!(error.contains("a.stl:7:2: `endfacet` within a loop") && error.contains("1 mistake found"), "{error}");
+    assert!(error.contains("a.stl:7:2: `endfacet` within a loop") && error.contains("1 error"), "{error}");
     let open = format!("solid\n{}{whole}endsolid\n", facet("").replace(" endfacet\n", "").replace(" facet\n", ""));
     let error = mesh("a.stl", open).expect_err("a loop is open");
     assert!(error.contains("a.stl:6:2: `facet` within a loop"), "{error}");

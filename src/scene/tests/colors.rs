@@ -220,12 +220,12 @@ fn a_material_that_uses_colors_needs_a_mesh_that_has_them() {
     let mesh = |name: &str| format!("shape = \"mesh\"\nfile = \"{name}.obj\"");
     scene(USES, &mesh("colored")).unwrap_or_else(|error| panic!("{error}"));
     for (object, line, said) in [
-        (mesh("plain"), 13, "the material `b` has `vertex_colors = true`, and this mesh has no vertex colors"),
+        (mesh("plain"), 13, "the material `b` has `vertex_colors = true`, but this mesh has no vertex colors"),
         (mesh("odd"), 13, "vertex 0 (from 0) has the color [2, 2, 2], and components are from 0 to 1"),
         (
             "shape = \"sphere\"".to_owned(),
             12,
-            "the material `b` has `vertex_colors = true`, and only meshes have vertex colors",
+            "the material `b` has `vertex_colors = true`, but only meshes have vertex colors",
         ),
     ] {
         let mistakes = mistakes_of(scene(USES, &object));

@@ -140,9 +140,9 @@ fn bad_pictures_are_refused_with_their_path() {
     fs::write(path("empty.png"), "").expect("written");
     for (name, problem) in [
         ("nan.exr", "the pixel in column 1, row 0 (from 0, top left) is not finite"),
-        ("cut.png", "cannot use the picture"),
-        ("text.png", "cannot use the picture"),
-        ("empty.png", "cannot use the picture"),
+        ("cut.png", "cannot use the image"),
+        ("text.png", "cannot use the image"),
+        ("empty.png", "cannot use the image"),
         ("none.png", "cannot read"),
     ] {
         let error = Picture::load(&path(name)).expect_err(name).to_string();

@@ -234,7 +234,7 @@ fn mistakes_in_words_have_their_lines() {
         "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 2 0 0\n  vertex 0 2 0\nendloop\nendfacet\n";
     good("a.stl", text.as_bytes());
     for (from, to, said) in [
-        ("solid a\nfacet", "solid a\nfaced", "a.stl:2:1: unknown word `faced`"),
+        ("solid a\nfacet", "solid a\nfaced", "a.stl:2:1: unknown value `faced`"),
         ("  vertex 0 2 0", "  vertex 0 2", "a.stl:6:3: `vertex` needs 3 numbers, found 2"),
         ("  vertex 0 2 0", "  vertex 0 2 inf", "a.stl:6:14: expected a number, found `inf`"),
         ("vertex 2 0 0\n", "", "a.stl:6:1: a loop of 2 vertices"),

@@ -256,7 +256,7 @@ fn parts_are_chosen_by_name_and_number() {
     assert_eq!(ask(None, None), Ok(DVec3::ZERO));
     for (asked, said) in [
         (ask(named("once"), Some(1)), "the mesh has no triangles with an area: it has primitives of points (1)"),
-        (ask(named("onze"), None), "there is no node `onze` with a mesh; did you mean `once`?"),
+        (ask(named("onze"), None), "there is no node `onze` with a mesh; use `once`"),
         (ask(named("eye"), None), "there is no node `eye` with a mesh"),
         (ask(number(9), None), "there is no node 9 with a mesh"),
         (ask(named("twice"), None), "several nodes have this name; choose by number: 0, 1"),

@@ -46,12 +46,12 @@ fn mistakes_are_found_on_the_command_line() {
     for (text, column, excerpt, problem) in [
         ("rays.step=abc", 11, "abc", "expected a number, found the string \"abc\""),
         ("rays.step= 0.0.5", 12, "0.0.5", "expected a number, found the string \"0.0.5\""),
-        ("image.size=[10, 0]", 17, "0", "expected a whole number, 1 to 65536, found 0"),
+        ("image.size=[10, 0]", 17, "0", "expected a whole number from 1 to 65536, found 0"),
         ("rays.bounding_sphere={ radius = 3, radios = 4 }", 36, "radios", "unknown key `radios`"),
         ("image.sise=3", 1, "image.sise", "unknown key `sise`"),
-        ("objects.1.radius=3", 1, "objects.1.radius", "`objects` has 1 entries, counted from 0, and none is `1`"),
+        ("objects.1.radius=3", 1, "objects.1.radius", "`objects` has 1 entry, counted from 0, and no `1`"),
         ("law.kind.x=3", 1, "law.kind.x", "`law.kind` is not a table"),
-        ("sky.intensity=3", 1, "sky.intensity", "`intensity` does not go with the rest of this table"),
+        ("sky.intensity=3", 1, "sky.intensity", "`intensity` cannot be combined with the rest of this table"),
     ] {
         let mistakes = mistakes_of(with(&[text]));
         assert_eq!(mistakes.len(), 1, "{mistakes:?}");
@@ -69,8 +69,8 @@ fn what_is_no_override_is_refused_at_once() {
         ("rays.step", "expected KEY=VALUE"),
         ("=3", "the key must be names joined by dots"),
         ("rays..step=3", "the key must be names joined by dots"),
-        ("image.size=[1, 2", "the value is not TOML"),
-        ("sky.image=\"a", "the value is not TOML"),
+        ("image.size=[1, 2", "the value is not valid TOML"),
+        ("sky.image=\"a", "the value is not valid TOML"),
     ] {
         let error = text.parse::<Override>().expect_err(text).to_string();
         assert!(error.contains(problem), "{error}");
@@ -86,8 +86,10 @@ fn without_a_value_a_key_is_left_out() {
     for (key, column) in [("rays.frob=", 1), ("objects.7.radius=", 1), ("rays.method.x=", 1)] {
         let told = with(&[key]).expect_err(key).to_string();
         let name = key.trim_end_matches('=');
-        let said =
-            [format!("--set {key}:1:{column}: there is no `{name}` to leave out"), "a value goes behind".to_owned()];
+        let said = [
+            format!("--set {key}:1:{column}: cannot remove `{name}`, which does not exist"),
+            "write a value after".to_owned(),
+        ];
         assert!(said.iter().all(|said| told.contains(said)), "{told}");
     }
 }

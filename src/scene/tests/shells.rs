@@ -299,7 +299,7 @@ fn an_open_interior_is_a_mistake() {
     let mistakes = mistakes_of(parse(&text));
     let problem = "the mesh is not closed: the edge at [0.5000, 0.0000, 0.0000] has no second triangle";
     assert_eq!(mistakes[0].problem, problem);
-    assert_eq!(mistakes[0].help, "give it a `material`, or use another shape, such as a closed mesh");
+    assert_eq!(mistakes[0].help, "set `material`, or use another shape, such as a closed mesh");
 }
 
 /// Returns boxes that are disjoint or nested, by repeated bisection of a cube.

@@ -88,7 +88,7 @@ fn words_that_people_try_are_told_the_right_one() {
         let rays = if *table == "rays" { "[rays]\n" } else { RAYS };
         let found =
             mistakes_of(parse(&format!("{rays}\n[{table}]\n{line}\n").replace("[rays]\n\n[rays]\n", "[rays]\n")));
-        let said = format!("did you mean `{right}`?");
+        let said = format!("use `{right}`");
         assert!(found.iter().any(|mistake| mistake.help.contains(&said)), "[{table}] {line}: {found:?}");
     }
 }

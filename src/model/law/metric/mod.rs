@@ -102,10 +102,11 @@ impl Metric {
         let is_on_axis = self.axis().cross(arm).length() <= 1e-12 * arm.length();
         let off = at + OFF * arm.length().max(OFF) * aside;
         if !is_on_axis || !has_space(&self.at(off)) {
-            let problem = "is where the line element has no value: a term divides by 0 or is not a real number there";
+            let problem = "is where the line element has no value: a term divides by 0 or is not a real number";
             return says_none(problem, "move it, or write the line element in coordinates that are regular there");
         }
-        let problem = "is on the axis of the line element's coordinates, where `theta`, `phi` and `rho` have no differentials (0/0)";
+        let problem = "is on the coordinate axis of the line element, where the differentials of `theta`, `phi` and \
+                       `rho` are singular (0/0)";
         let help = format!(
             "move it off the axis, such as to [{}, {}, {}], or write dOmega2 for dtheta^2 + sin(theta)^2*dphi^2",
             off.x, off.y, off.z
@@ -187,10 +188,9 @@ impl Law for Metric {
     fn facts(&self) -> Facts<'_> {
         let in_time = self.element.depends_on_time();
         let sent = match self.throat {
-            Some(_) => Some("it has more ways through a throat than are looked for"),
-            None => {
-                (!self.element.is_static()).then_some("it goes other ways than what is followed back from the camera")
-            }
+            Some(_) => Some("light has more paths through a throat than bentray searches for"),
+            None => (!self.element.is_static())
+                .then_some("in this spacetime, light does not retrace the path of a ray from the camera"),
         };
         Facts {
             order: Order::General,
@@ -200,8 +200,8 @@ impl Law for Metric {
             throat: self.throat,
             form: Form::LineElement(&self.element),
             momentum_parts: &["law/momentum/metric"],
-            refuses_surfaces: in_time.then_some("behind a surface a law that depends on t would begin again"),
-            refuses_interiors: Some("light has speeds of its own in a spacetime"),
+            refuses_surfaces: in_time.then_some("a law that depends on t would restart at each surface"),
+            refuses_interiors: Some("in a spacetime, the speed of light in an interior is not defined"),
             refuses_sent_light: sent,
             ..Facts::default()
         }
@@ -248,7 +248,7 @@ impl Law for Metric {
             CameraFrame::Zamo | CameraFrame::ProgradeOrbit | CameraFrame::RetrogradeOrbit
                 if !self.is_axisymmetric() =>
             {
-                let problem = "goes round an axis that the line element has not";
+                let problem = "cannot orbit, because the line element is not axisymmetric";
                 return Some(Err(says_none(problem, "use observer = \"boosted\" or \"eulerian\"")));
             }
             _ => {
@@ -257,16 +257,19 @@ impl Law for Metric {
             }
         };
         Some(found.ok_or_else(|| match frame {
-            CameraFrame::Static => says_none("is where nothing is at rest", "use observer = \"eulerian\", or move it"),
-            CameraFrame::Boosted(_) => says_none("moves faster than light", "use less than 1"),
-            CameraFrame::ProgradeOrbit | CameraFrame::RetrogradeOrbit => {
-                says_none("is on no circular orbit of matter", "those are in the plane z = 0, not too near")
+            CameraFrame::Static => {
+                says_none("is where nothing can be static", "use observer = \"eulerian\", or move it")
             }
+            CameraFrame::Boosted(_) => says_none("moves faster than light", "use a velocity below 1"),
+            CameraFrame::ProgradeOrbit | CameraFrame::RetrogradeOrbit => says_none(
+                "is not on a circular orbit of matter",
+                "circular orbits are in the plane z = 0, outside the innermost one",
+            ),
             CameraFrame::Infalling => {
-                let problem = "falls, and a line element does not say from where";
+                let problem = "falls, and a line element does not define the starting point";
                 says_none(problem, "use observer = \"boosted\" and camera.velocity")
             }
-            _ => says_none("is where no space is", "move it"),
+            _ => says_none("is where the signature of the metric is not −+++", "move it"),
         }))
     }
 
@@ -279,14 +282,14 @@ impl Law for Metric {
             return Some(refused);
         }
         if self.element.gap(self.spot(at, 0.0)).is_some_and(|gap| gap.w <= 0.0) {
-            return Some(says_none("is where rays end: see law.capture_condition", "move it away"));
+            return Some(says_none("is where rays are captured: see law.capture_condition", "move it away"));
         }
         let metric = self.at(at);
         if !metric.is_finite() {
             return Some(self.says_singular(at));
         }
-        let problem = "is where the line element has no space at one time: its signature is not −+++";
-        (!has_space(&metric)).then(|| says_none(problem, "move it, or see the signs of law.line_element"))
+        let problem = "is where the line element has no spacelike slice: its signature is not −+++";
+        (!has_space(&metric)).then(|| says_none(problem, "move it, or check the signs of law.line_element"))
     }
 
     fn remark(&self, center: DVec3, radius: f64) -> Option<String> {
@@ -302,8 +305,8 @@ impl Law for Metric {
         let (x, t) = failed.first()?;
         let when = if self.carries_time() { format!(" at t = {t:.2}") } else { String::new() };
         Some(format!(
-            "at {} of {PLACES} places within the bounding sphere, such as [{:.3}, {:.3}, {:.3}]{when}, the line element has no space at \
-             one time (its signature is not −+++): rays fail there",
+            "at {} of {PLACES} positions within the bounding sphere, such as [{:.3}, {:.3}, {:.3}]{when}, the line \
+             element does not have the signature −+++: rays fail there",
             failed.len(),
             x.x,
             x.y,

@@ -46,8 +46,8 @@ pub(super) fn read(table: &TableReader) -> Option<Metric> {
                 None => None,
             };
             if throat.is_some() && element.depends_on_time() {
-                let problem = "a space with a throat does not change with t here";
-                table.fault(&["throat"], problem, "leave t out of law.line_element, or law.throat");
+                let problem = "a line element with a throat cannot depend on t";
+                table.fault(&["throat"], problem, "remove t from law.line_element, or remove law.throat");
                 return None;
             }
             Some(Metric { element, time, center, throat })
