@@ -36,7 +36,7 @@ pub fn followed_keys() -> impl Iterator<Item = &'static str> {
 
 /// Returns the overrides that give a scene the settings of [`Rays::followed`], whatever it specifies.
 pub fn follow_as(followed: &str) -> Result<Vec<Override>, SceneError> {
-    let wrong = || SceneError::Override(format!("`{followed}` does not say how rays are followed"));
+    let wrong = || SceneError::Override(format!("`{followed}` does not describe the integration of rays"));
     let table: toml::Table = toml::from_str(&format!("rays = {followed}")).map_err(|_| wrong())?;
     let said = table.get("rays").and_then(toml::Value::as_table).filter(|said| said.contains_key("method"));
     let known: Vec<&str> = followed_keys().collect();

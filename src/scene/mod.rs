@@ -238,7 +238,7 @@ impl Scene {
     pub fn mesh_remarks(&self) -> Vec<String> {
         let remark = |(i, object): (usize, &Object)| {
             let words = object.shape.mesh()?.remark()?;
-            Some(format!("object {i} (from 0): {words}"))
+            Some(format!("objects[{i}]: {words}"))
         };
         self.objects.iter().enumerate().filter_map(remark).collect()
     }

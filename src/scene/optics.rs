@@ -109,19 +109,19 @@ impl Optics<'_> {
             return;
         }
         if segment.has_chords() {
-            let problem = "rays that go on from surfaces need arcs: a chord does not end on the path";
+            let problem = "rays that continue at a surface require arcs, because a chord does not end on the path";
             table.fault(&["segment"], problem, "use segment = \"arc\"");
         }
         if asymptotic && has_interiors {
-            let problem = "`sky_at_infinity` is for scenes without interiors";
-            table.fault(&["sky_at_infinity"], problem, "leave it out");
+            let problem = "`sky_at_infinity` cannot be combined with interiors";
+            table.fault(&["sky_at_infinity"], problem, "remove it");
         }
         if precision == Precision::Half {
-            let problem = "16 bits are too few for rays that go on from surfaces";
+            let problem = "16-bit state is too imprecise for rays that continue at a surface";
             table.fault(&["precision"], problem, "use f32 or f64");
         }
         if let Some(problem) = self.law.and_then(|law| law.facts().refuses_surfaces(has_interiors)) {
-            table.fault(&[], problem, "take the interiors and mirrors out of the scene, or change its law");
+            table.fault(&[], problem, "remove the interiors and mirrors, or use another law");
         }
     }
 }

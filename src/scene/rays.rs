@@ -171,9 +171,9 @@ impl Precision {
     #[must_use]
     pub fn meaning(self) -> &'static str {
         match self {
-            Self::Half => "32 bits, kept in 16 between passes as in 2004",
+            Self::Half => "32-bit arithmetic with 16-bit state between passes, as in Weiskopf et al. (2004)",
             Self::Single => "32 bits",
-            Self::Double => "64 bits, where the device has them",
+            Self::Double => "64 bits, if the device supports them",
         }
     }
 }

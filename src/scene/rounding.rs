@@ -47,7 +47,8 @@ impl Scene {
         let pixel = self.pixel_angle();
         if let Some(pixel) = pixel.filter(|pixel| ROUNDINGS * HALF_ULP > OF_PIXEL * pixel) {
             return Some(format!(
-                "a pixel is {pixel:.0e} rad wide, and directions in 32 bits are no finer than {:.0e}: use --precision f64",
+                "a pixel is {pixel:.0e} rad wide, and the resolution of 32-bit directions is {:.0e}: use --precision \
+                 f64",
                 2.0 * HALF_ULP
             ));
         }
@@ -59,14 +60,14 @@ impl Scene {
             radius.is_finite() && ROUNDINGS * known > (OF_OBJECT * radius).min(OF_PIXEL * seen)
         };
         let coarse: Vec<usize> = (0..self.objects.len()).filter(too_coarse).collect();
-        let names: Vec<String> = coarse.iter().take(NAMED).map(usize::to_string).collect();
+        let names: Vec<String> = coarse.iter().take(NAMED).map(|i| format!("objects[{i}]")).collect();
         let (first, more) = (coarse.first()?, coarse.len() > NAMED);
         let (center, radius) = self.objects[*first].ball();
         let far = camera.position.abs().max_element().max(center.abs().max_element());
         Some(format!(
-            "object{} {}{} (from 0): at {far:.0e} from the origin places in 32 bits are {:.0e} apart, and the first of these is \
-             {:.0e} across: move the scene to the origin, make it of one scale, or use --precision f64",
-            if coarse.len() > 1 { "s" } else { "" },
+            "{}{}: at {far:.0e} from the origin, 32-bit positions are {:.0e} apart, and objects[{first}] is {:.0e} \
+             across; \
+             move the scene to the origin, reduce its range of scales, or use --precision f64",
             names.join(", "),
             if more { ", …" } else { "" },
             2.0 * HALF_ULP * far,

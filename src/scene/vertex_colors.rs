@@ -20,17 +20,13 @@ impl Scene {
             self.material_of(object).is_some_and(|material| !material.color.has_vertex_colors()) && has_some(object)
         };
         let unused = self.objects.iter().enumerate().filter(|(_, object)| ignores(object));
-        let unused: Vec<String> = unused.map(|(i, _)| i.to_string()).collect();
+        let unused: Vec<String> = unused.map(|(i, _)| format!("objects[{i}]")).collect();
         let names = unused.iter().take(NAMED).cloned().collect::<Vec<_>>().join(", ");
         let more = if unused.len() > NAMED { ", …" } else { "" };
         match unused.len() {
             0 => None,
-            1 => Some(format!(
-                "object {names} (from 0) has vertex colors, which its material does not use: see vertex_colors"
-            )),
-            _ => Some(format!(
-                "objects {names}{more} (from 0) have vertex colors, which their materials do not use: see vertex_colors"
-            )),
+            1 => Some(format!("{names} has vertex colors that its material does not use: see `vertex_colors`")),
+            _ => Some(format!("{names}{more} have vertex colors that their materials do not use: see `vertex_colors`")),
         }
     }
 }

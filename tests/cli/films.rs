@@ -122,7 +122,7 @@ fn what_is_no_film_is_refused() {
         ("video a.png -o c.gif --rate 0", 2, "expected a number of frames per second from 0.1 to 1000, found `0`"),
         ("render scene.toml -o c.exr --frames all", 1, "c.exr: --frames writes one file per frame"),
         ("render scene.toml -o c.gif", 1, "c.gif: a video consists of frames; add --frames all"),
-        ("render scene.toml -o c.gif --frames all --set animation.rate=0", 1, "frames a second, from 0.1 to 1000"),
+        ("render scene.toml -o c.gif --frames all --set animation.rate=0", 1, "frames per second, from 0.1 to 1000"),
     ] {
         let ran = folder.run(arguments);
         assert_eq!(ran.code, Some(code), "{arguments}: {}", ran.err);

@@ -159,7 +159,7 @@ fn where_32_bits_do_not_suffice_64_are_named_or_taken() {
     assert!(folder.read("b.exr") == folder.read("c.exr"));
     folder
         .run("check scene.toml --precision auto --set rays.method=rk4")
-        .fails(1, &["`auto` finds the bits together with the method", "write f32 or f64"]);
+        .fails(1, &["precision = \"auto\" is chosen together with the method", "or use f32 or f64"]);
 }
 
 #[test]
@@ -249,7 +249,7 @@ fn scenes_that_are_too_fine_for_32_bits_are_warned_of() {
     let far = BALL.replace("position = [0, 0, 5]", "position = [1e6, 0, 5]\nlook_at = [1e6, 0, 0]");
     let far = far.replace("radius = 10", "radius = 10, center = [1e6, 0, 0]");
     let folder = Folder::with(&far.replace("shape = \"sphere\"", "shape = \"sphere\"\ncenter = [1e6, 0, 0]"));
-    let warning = "warning: object 0 (from 0): at 1e6 from the origin places in 32 bits are 1e-1 apart";
+    let warning = "warning: objects[0]: at 1e6 from the origin, 32-bit positions are 1e-1 apart";
     folder.run("render scene.toml -o a.png").succeeds().says(&[warning, "use --precision f64"]);
     assert!(folder.run("check scene.toml").succeeds().out.contains(warning));
     assert!(!folder.run("render scene.toml -o a.png --precision f64").succeeds().err.contains("warning"));

@@ -61,9 +61,9 @@ fn an_edge_that_passes_leaves_a_ramp() {
 fn what_the_shutter_does_not_go_with_is_said() {
     let folder = Folder::with(&film(16, "shutter = 0.5", AWAY));
     for (set, message) in [
-        ("animation.shutter=1.5", "expected a part of the time between two frames, 0 to 1, found 1.5"),
+        ("animation.shutter=1.5", "expected a fraction of the frame interval, from 0 to 1, found 1.5"),
         ("animation.shutter_samples=12", "expected a power of two, 2 to 1024"),
-        ("image.adaptive=0.05", "adaptive sampling judges pixels by rays of one moment"),
+        ("image.adaptive=0.05", "adaptive sampling cannot be combined with an open shutter"),
     ] {
         folder.run(&format!("render scene.toml -o {{frame}}.png --frames 0 --set {set}")).fails(1, &[message]);
     }

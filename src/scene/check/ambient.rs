@@ -9,13 +9,13 @@ use crate::scene::{Clear, Occlusion};
 fn check_law(table: &TableReader, optics: &Optics, chords: bool) {
     let help = "use rays = \"straight\"";
     if let Some(why) = optics.law.and_then(|law| law.facts().ignores_direction) {
-        table.fault(&["rays"], format!("ambient light cannot be followed under this law: {why}"), help);
+        table.fault(&["rays"], format!("occlusion rays cannot follow this law: {why}"), help);
     }
     if optics.law.is_some_and(|law| law.facts().throat.is_some()) {
-        table.fault(&["rays"], "ambient light is not followed through a wormhole", help);
+        table.fault(&["rays"], "occlusion rays cannot pass through a wormhole", help);
     }
     if chords {
-        table.fault(&["rays"], "ambient light follows arcs, and these rays are chords", help);
+        table.fault(&["rays"], "occlusion rays along the law require arcs, and these rays are chords", help);
     }
 }
 
@@ -25,8 +25,8 @@ pub fn read(root: &TableReader, optics: &Optics, chords: bool) -> Option<Occlusi
     if optics.paths.is_some() {
         table.fault(
             &[],
-            "paths have no ambient light: they find what reaches a place by themselves",
-            "leave [ambient] out",
+            "[ambient] cannot be combined with path tracing, which computes indirect light",
+            "remove [ambient]",
         );
     }
     let fraction = number_where("a number from 0 to 1", |x| (0.0..=1.0).contains(&x));

@@ -40,8 +40,8 @@ pub fn read(root: &TableReader) -> Option<Tracks> {
     let table = root.subtable("animation", "animation")?;
     let frames = table.required("frames", "48", whole(1..=1_000_000));
     let rate =
-        table.or("rate", 24.0, number_where("frames a second, from 0.1 to 1000", |x| (0.1..=1000.0).contains(&x)));
-    let shutter = number_where("a part of the time between two frames, 0 to 1", |x| (0.0..=1.0).contains(&x));
+        table.or("rate", 24.0, number_where("frames per second, from 0.1 to 1000", |x| (0.1..=1000.0).contains(&x)));
+    let shutter = number_where("a fraction of the frame interval, from 0 to 1", |x| (0.0..=1.0).contains(&x));
     let shutter = table.or("shutter", 0.0, shutter);
     let moments = table.or("shutter_samples", 64, power_of_two);
     let mut tracks: Vec<Track> = Vec::new();
@@ -50,8 +50,8 @@ pub fn read(root: &TableReader) -> Option<Tracks> {
         if tracks.iter().any(|other| other.path == track.path) {
             table.reader.fault(Fault {
                 place: track.place,
-                problem: format!("`{}` has a track already", track.key),
-                help: "a key has one track, with as many values as it wants".to_owned(),
+                problem: format!("`{}` already has a track", track.key),
+                help: "put all values of the key into one track".to_owned(),
             });
         }
         tracks.push(track);
@@ -83,10 +83,10 @@ fn power_of_two(node: &Node) -> Read<u32> {
 
 /// Reads the names of a key that can be set.
 fn path(node: &Node) -> Read<Vec<String>> {
-    let help = "names joined by dots, as --set takes them: camera.position, objects.0.radius";
-    let path = names(text(node)?).ok_or_else(|| node.fault("this is not a key", help))?;
+    let help = "use names joined by dots, as in --set: camera.position, objects.0.radius";
+    let path = names(text(node)?).ok_or_else(|| node.fault("not a valid key", help))?;
     if path[0] == "animation" {
-        return Err(node.fault("an animation does not animate itself", help));
+        return Err(node.fault("[animation] cannot animate its own keys", help));
     }
     Ok(path)
 }
@@ -94,15 +94,15 @@ fn path(node: &Node) -> Read<Vec<String>> {
 /// Reads numbers, or arrays of numbers with equal shapes.
 fn values(node: &Node) -> Read<Vec<Node>> {
     let Value::Array(items) = &node.value else {
-        return Err(node.expected("an array with a value for each key frame"));
+        return Err(node.expected("an array with a value for each keyframe"));
     };
     let Some(first) = items.first() else {
-        return Err(node.fault("a track has at least one value", ""));
+        return Err(node.fault("a track requires at least one value", ""));
     };
     for item in items {
         numbers(item)?;
         if !same_shape(first, item) {
-            return Err(item.fault("this value has another shape than the track's first", ""));
+            return Err(item.fault("this value and the first value of the track have different shapes", ""));
         }
     }
     Ok(items.clone())
@@ -112,7 +112,7 @@ fn numbers(node: &Node) -> Read<()> {
     match &node.value {
         Value::Array(items) => items.iter().try_for_each(numbers),
         Value::Integer(_) | Value::Float(_) => number(node).map(|_| ()),
-        _ => Err(node.expected("a number or an array of numbers, for only those have values between")),
+        _ => Err(node.expected("a number or an array of numbers, because other values cannot be interpolated")),
     }
 }
 
@@ -127,14 +127,14 @@ fn same_shape(a: &Node, b: &Node) -> bool {
 /// Reads one frame per value, in ascending order.
 fn ascending(node: &Node, count: usize) -> Read<Vec<f64>> {
     let Value::Array(items) = &node.value else {
-        return Err(node.expected("an array of frames"));
+        return Err(node.expected("an array of frame numbers"));
     };
     let at = items.iter().map(number).collect::<Read<Vec<f64>>>()?;
     if count > 0 && at.len() != count {
-        return Err(node.fault(format!("{} frames for {count} values", at.len()), "give each value its frame"));
+        return Err(node.fault(format!("{} keyframes for {count} values", at.len()), "give one keyframe per value"));
     }
     match at.windows(2).position(|pair| pair[0] >= pair[1]) {
-        Some(i) => Err(items[i + 1].fault("frames ascend", format!("this one must be after {}", at[i]))),
+        Some(i) => Err(items[i + 1].fault("keyframes must ascend", format!("use a frame after {}", at[i]))),
         None => Ok(at),
     }
 }

@@ -18,8 +18,8 @@ pub fn check(root: &TableReader, camera: &Camera, objects: &[Object]) {
         };
         if let Some(i) = objects.iter().position(on) {
             let who = if camera.stereo.is_some() { "an eye of the camera" } else { "the camera" };
-            let problem = format!("{who} is on the surface of object {i} (from 0), and on neither side of it");
-            root.fault_within("camera", "position", problem, "move it off".to_owned());
+            let problem = format!("{who} is exactly on the surface of objects[{i}]");
+            root.fault_within("camera", "position", problem, "move it off the surface".to_owned());
             return;
         }
     }

@@ -21,8 +21,7 @@ pub fn read(root: &TableReader, by_paths: bool) -> Image {
     let samples = table.optional("samples", whole(1..=1_048_576));
     let patterns = &[("multi-jittered", SamplePattern::MultiJittered), ("sobol", SamplePattern::Progressive)];
     let pattern = table.optional("sampler", word(patterns));
-    let tolerance =
-        number_where("a standard error above 0 and below 1, of what a screen shows", |x| x > 0.0 && x < 1.0);
+    let tolerance = number_where("a standard error above 0 and below 1, in display values", |x| x > 0.0 && x < 1.0);
     image.adaptive = table.optional("adaptive", tolerance);
     if table.gives("adaptive") {
         (image.samples, image.pattern) = (64, SamplePattern::Progressive);
@@ -35,8 +34,8 @@ pub fn read(root: &TableReader, by_paths: bool) -> Image {
         .into_iter()
         .find_map(|(with, is_there)| (is_there && image.footprints).then_some(with))
     {
-        let problem = format!("footprints do not go with {with}, whose samples are for what they average");
-        table.fault(&["footprints"], problem, "leave one of them out");
+        let problem = format!("`footprints` cannot be combined with {with}");
+        table.fault(&["footprints"], problem, "remove one of the two");
     }
     table.finish();
     image
@@ -49,12 +48,11 @@ fn check_adaptive(table: &TableReader, samples: Option<u32>, pattern: Option<Sam
         table.fault(
             &["samples"],
             problem,
-            "give a power of two from 16 to 32768, or leave `samples` out, for up to 64",
+            "use a power of two from 16 to 32768, or remove `samples` to use at most 64",
         );
     }
     if pattern == Some(SamplePattern::MultiJittered) {
-        let problem =
-            "adaptive sampling stops anywhere in a pixel's samples, which multi-jittered ones are not made for";
-        table.fault(&["sampler"], problem, "leave `sampler` out, or write \"sobol\"");
+        let problem = "adaptive sampling cannot be combined with multi-jittered samples";
+        table.fault(&["sampler"], problem, "remove `sampler`, or use sampler = \"sobol\"");
     }
 }

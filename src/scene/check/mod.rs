@@ -141,11 +141,11 @@ pub(super) fn scene(reader: &Reader, files: &mut Files) -> Option<Scene> {
     let lights = lights(&root, bound.map_or(1.0, |bound| bound.radius), &optics);
     if chords && lights.iter().any(|light| light.shadows == Shadows::Shooting) {
         let help = "use segment = \"arc\", or shadows = \"straight-rays\"";
-        root.fault(&["lights"], "shooting follows arcs, and these rays are chords", help);
+        root.fault(&["lights"], "shadows = \"curved-rays\" requires arcs, and these rays are chords", help);
     }
     if chords && filter.is_some() {
-        let help = "use segment = \"arc\", or leave the filter out";
-        root.fault(&["law"], "filters follow arcs, and these rays are chords", help);
+        let help = "use segment = \"arc\", or remove law.absorption";
+        root.fault(&["law"], "absorption requires arcs, and these rays are chords", help);
     }
     let occlusion = ambient::read(&root, &optics, chords);
     if paths.is_some() {
@@ -164,9 +164,8 @@ pub(super) fn scene(reader: &Reader, files: &mut Files) -> Option<Scene> {
         keys: read.keys(),
     });
     if image.adaptive.is_some() && animation.as_ref().is_some_and(|animation| animation.shutter > 0.0) {
-        let problem =
-            "adaptive sampling judges pixels by rays of one moment, and the shutter is open for many".to_owned();
-        let help = "leave `image.adaptive` out, and give `image.samples`".to_owned();
+        let problem = "adaptive sampling cannot be combined with an open shutter".to_owned();
+        let help = "remove image.adaptive and set image.samples".to_owned();
         root.fault_within("animation", "shutter", problem, help);
     }
     root.finish();
@@ -202,7 +201,7 @@ fn check_bound(root: &TableReader, law: &dyn Law, bound: Bound) {
         capture.anchor.offset(bound.center).length() + bound.radius <= capture.radius && capture.radius > 0.0
     };
     if let Some(capture) = law.captures(None).iter().find(|capture| swallows(capture)) {
-        let problem = format!("all of it is inside of what captures rays, r = {:.4}", capture.radius);
+        let problem = format!("the bounding sphere is inside the capture region, r = {:.4}", capture.radius);
         root.fault_within("rays", "bounding_sphere", problem, "use a larger radius".to_owned());
     }
 }
@@ -212,8 +211,8 @@ fn seen(root: &TableReader, law: Arc<dyn Law>, camera: Option<&Camera>) -> Optio
     if camera.is_none() && law.facts().curve().is_some_and(|curve| curve.turned.is_some()) {
         // An invalid camera is already reported.
         if root.node("camera").is_none() {
-            let problem = "the law has the camera's axes, and the scene has no camera";
-            root.fault(&["law"], problem, "write axes = \"scene\", or add [camera]");
+            let problem = "the law uses the axes of the camera, and the scene has no camera";
+            root.fault(&["law"], problem, "use axes = \"scene\", or add [camera]");
         }
         return None;
     }
@@ -225,7 +224,7 @@ fn seen(root: &TableReader, law: Arc<dyn Law>, camera: Option<&Camera>) -> Optio
 fn output(root: &TableReader, by_paths: bool) -> Output {
     let mut output = Output::default();
     if let Some(table) = root.subtable("output", "output") {
-        let stops = number_where("a number of stops, -64 to 64", |x| x.abs() <= 64.0);
+        let stops = number_where("a number of stops from -64 to 64", |x| x.abs() <= 64.0);
         output.exposure = table.or("exposure", 0.0, stops);
         output.tonemap = table.or("tonemap", Tonemap::None, word(Tonemap::NAMES));
         output.bits = table.or("bit_depth", 8, |node| match whole(8..=16)(node)? {
@@ -235,8 +234,8 @@ fn output(root: &TableReader, by_paths: bool) -> Output {
         });
         output.clamp = table.optional("clamp", positive);
         if output.clamp.is_some() && !by_paths {
-            let help = "leave it out; exposure and tonemap are for what is bright in the scene";
-            table.fault(&["clamp"], "only samples of random paths are now and then too bright", help);
+            let help = "remove it; reduce the brightness of the image with `exposure` and `tonemap`";
+            table.fault(&["clamp"], "`clamp` applies only to path tracing", help);
         }
         table.finish();
     }
@@ -258,12 +257,12 @@ const SHADOWS: &[(&str, Shadows)] = &[
 /// Reports laws and objects that the shooting method does not support.
 fn check_shooting(table: &TableReader, is_point: bool, optics: &Optics) {
     if !is_point {
-        let help = "use shadows = \"photon-grid\" or \"straight-rays\", or a point light far away";
-        table.fault(&["shadows"], "shooting needs a light at a place", help);
+        let help = "use shadows = \"photon-grid\" or \"straight-rays\", or a distant point light";
+        table.fault(&["shadows"], "shadows = \"curved-rays\" requires a point light", help);
     }
     if optics.objects.iter().any(|object| object.interior().is_some()) {
-        let help = "use shadows = \"photon-grid\" or \"straight-rays\", or take the interiors out of the scene";
-        table.fault(&["shadows"], "light is not shot through interiors", help);
+        let help = "use shadows = \"photon-grid\" or \"straight-rays\", or remove the interiors";
+        table.fault(&["shadows"], "shadows = \"curved-rays\" does not support interiors", help);
     }
 }
 
@@ -271,7 +270,7 @@ fn check_shooting(table: &TableReader, is_point: bool, optics: &Optics) {
 fn check_aimed(table: &TableReader, optics: &Optics) {
     if let Some(why) = optics.law.and_then(|law| law.facts().refuses_sent_light) {
         let help = "use shadows = \"straight-rays\"";
-        table.fault(&["shadows"], format!("light cannot be aimed under this law: {why}"), help);
+        table.fault(&["shadows"], format!("shadows along curved rays are not available under this law: {why}"), help);
     }
 }
 

@@ -10,15 +10,15 @@ pub fn read(root: &TableReader, rays: Option<&TableReader>, law: Option<&dyn Law
     let follows =
         rays.is_some_and(|rays| rays.or("lighting", false, word(&[("direct", false), ("path-tracing", true)])));
     if let (true, Some(rays), Some(why)) = (follows, rays, law.and_then(|law| law.facts().ignores_direction)) {
-        let problem = format!("light cannot go from surface to surface under this law: {why}");
+        let problem = format!("path tracing is not available under this law: {why}");
         rays.fault(&["lighting"], problem, "use lighting = \"direct\"");
     }
     let usual = Paths::default();
     let mut paths = usual;
     if let Some(table) = root.subtable("path_tracing", "path_tracing") {
         if !follows {
-            let help = "write lighting = \"path-tracing\" in [rays], or leave [path_tracing] out";
-            table.fault(&[], "[path_tracing] goes with lighting = \"path-tracing\"", help);
+            let help = "set lighting = \"path-tracing\" in [rays], or remove [path_tracing]";
+            table.fault(&[], "[path_tracing] requires lighting = \"path-tracing\"", help);
         }
         paths.depth = table.optional("max_depth", whole(0..=1_000_000));
         paths.roulette = table.or("rr_depth", usual.roulette, whole(1..=1_000_000));
@@ -33,8 +33,8 @@ pub fn read(root: &TableReader, rays: Option<&TableReader>, law: Option<&dyn Law
 /// Reports lights that no path can hit.
 pub fn refuse(root: &TableReader, lights: &[Light]) {
     if !lights.is_empty() {
-        let problem = "lights without a surface are never met by a path, so that they give it nothing";
-        let help = "use a small ball of an emissive material instead of each, or lighting = \"direct\"";
+        let problem = "path tracing cannot reach lights without a surface";
+        let help = "replace each light by a small sphere of an emissive material, or use lighting = \"direct\"";
         root.fault(&["lights"], problem, help);
     }
 }

@@ -30,7 +30,7 @@ const PRECISIONS: &[(&str, Option<Precision>)] = &[
 pub fn table<'r, 'a>(root: &TableReader<'r, 'a>) -> Option<TableReader<'r, 'a>> {
     if root.node("rays").is_none() {
         let problem = "the table [rays] is missing";
-        let help = "at the least: [rays] with bounding_sphere = { radius = 50 }";
+        let help = "add [rays] with bounding_sphere = { radius = 50 }";
         root.fault(&[], problem, help);
         return None;
     }
@@ -52,8 +52,8 @@ pub fn read(table: TableReader, bound: Option<Bound>, optics: &Optics) -> Option
     };
     let precision = table.or("precision", Some(Precision::Single), word(PRECISIONS));
     if precision.is_none() && !auto {
-        let problem = "`auto` finds the bits together with the method, and this scene has one";
-        table.fault(&["precision"], problem, "leave `method` and its settings out, or write f32 or f64");
+        let problem = "precision = \"auto\" is chosen together with the method, and this scene specifies a method";
+        table.fault(&["precision"], problem, "remove `method` and its settings, or use f32 or f64");
     }
     let accuracy = auto.then(|| table.or("accuracy", Accuracy::Pixels(0.1), accuracy)).filter(|_| named.is_none());
     let auto = accuracy.map(|accuracy| Auto { accuracy, precision: precision.is_none() });
@@ -67,10 +67,10 @@ pub fn read(table: TableReader, bound: Option<Bound>, optics: &Optics) -> Option
     let branches = branching(&table, optics);
     let wavelength = table.or("wavelength", D_LINE, wavelength);
     if table.gives("wavelength") && !optics.disperses() {
-        let help = "leave it out, or give an interior kind = \"sellmeier\"";
-        table.fault(&["wavelength"], "nothing here is another for another wavelength", help);
+        let help = "remove it, or give an interior kind = \"sellmeier\"";
+        table.fault(&["wavelength"], "`wavelength` has no effect, because nothing in the scene is dispersive", help);
     } else if let Some(problem) = optics.refuses_wavelength(wavelength) {
-        let help = "choose a wavelength in that range (nm), or glass with another formula";
+        let help = "use a wavelength in that range, in nm, or a glass with another formula";
         table.fault(&["wavelength"], problem, help);
     }
     let accelerate = table.or("acceleration", Accelerate::Auto, word(ACCELERATE));
@@ -105,8 +105,8 @@ fn branching(table: &TableReader, optics: &Optics) -> Branches {
     let usual = if optics.paths.is_some() { Branches::Random } else { Branches::Enumerated(4) };
     let wanted = table.or("max_splits", usual, branches);
     if optics.paths.is_some() && wanted != Branches::Random {
-        let problem = "a path goes on in one way, drawn at random, wherever a surface splits it";
-        table.fault(&["max_splits"], problem, "leave it out, or write \"stochastic\"");
+        let problem = "path tracing follows one branch, drawn at random, at each surface";
+        table.fault(&["max_splits"], problem, "remove it, or use \"stochastic\"");
     }
     wanted
 }
@@ -149,12 +149,12 @@ fn branches(node: &Node) -> Read<Branches> {
 /// Checks that the law has one center, at the center of the bounding sphere: beyond it, orbits continue in closed form.
 fn check_asymptotic(table: &TableReader, law: &dyn Law, bound: Bound) {
     let Some(center) = law.facts().orbit.filter(|orbit| orbit.is_free_far_away).map(|orbit| orbit.center) else {
-        let problem = "`sky_at_infinity` is for a hole's own law or one inverse-square source";
-        table.fault(&["sky_at_infinity"], problem, "leave it out");
+        let problem = "`sky_at_infinity` requires the law of a black hole or one inverse-square source";
+        table.fault(&["sky_at_infinity"], problem, "remove it");
         return;
     };
     if center != bound.center {
-        let problem = "`sky_at_infinity` needs the bound's centre at the law's";
+        let problem = "`sky_at_infinity` requires a bounding sphere with the center of the law";
         table.fault(&["sky_at_infinity"], problem, format!("set bounding_sphere.center to {:?}", center.to_array()));
     }
 }

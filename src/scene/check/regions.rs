@@ -46,7 +46,7 @@ pub fn check(reader: &Reader, objects: &[(Place, Object)], materials: &[Material
     for (place, object) in objects {
         let is_translucent = |i: usize| materials.get(i).is_some_and(|material| material.surface.facts().opacity < 1.0);
         if object.material().is_some_and(is_translucent) && object.shape.refuses_interior().is_none() {
-            let problem = "light is not seen through the near side of a closed surface and its far side".to_owned();
+            let problem = "a closed surface cannot be translucent".to_owned();
             let help = "use a disk or an open mesh, or give its material opacity = 1".to_owned();
             reader.fault(Fault { place: *place, problem, help });
         }
@@ -55,22 +55,20 @@ pub fn check(reader: &Reader, objects: &[(Place, Object)], materials: &[Material
     let clear: Vec<_> = objects.iter().filter(|(_, object)| object.interior().is_some()).collect();
     if let Some((place, _)) = sided.get(MOST) {
         let problem = format!(
-            "{} objects with an interior and {} closed mirrors are more than {MOST}, which a ray can be in",
+            "{} objects with an interior and {} closed mirrors exceed the limit of {MOST}",
             clear.len(),
             sided.len() - clear.len()
         );
-        let help = "make one mesh of those that have the same medium or material".to_owned();
+        let help = "merge those with the same medium or material into one mesh".to_owned();
         reader.fault(Fault { place: *place, problem, help });
         return;
     }
     for (i, (place, second)) in clear.iter().enumerate() {
         let partly = |(_, first): &&&(Place, Object)| same_priority(first, second) && overlap_in_part(first, second);
         if let Some((first, _)) = clear[..i].iter().find(partly) {
-            let problem = "this interior and another of the same priority overlap, and nothing says which is there";
-            let help = format!(
-                "the other is the object at line {}: give one of them a higher `priority`",
-                reader.line(*first)
-            );
+            let problem = "this interior overlaps a different one of the same priority";
+            let help =
+                format!("give one of them a higher `priority`; the other object is at line {}", reader.line(*first));
             reader.fault(Fault { place: *place, problem: problem.to_owned(), help });
         }
     }

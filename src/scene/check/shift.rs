@@ -19,21 +19,26 @@ pub struct Rest<'a> {
 pub fn check(root: &TableReader, camera: Option<&Camera>, rest: &Rest) {
     if camera.is_some_and(|camera| camera.shift) {
         if rest.paths {
-            root.fault(&["camera"], "the shift of light is of pictures without paths", "leave camera.redshift out");
+            root.fault(&["camera"], "`redshift` cannot be combined with path tracing", "remove camera.redshift");
         } else if rest.filter.is_some_and(|filter| filter.glow != DVec3::ZERO) {
-            let problem = "light that space adds has no frequency of its own";
-            root.fault(&["camera"], problem, "leave camera.redshift out, or `emission` in law.absorption");
+            let problem = "the frequency of light that space emits is not defined";
+            root.fault(&["camera"], problem, "remove camera.redshift, or `emission` in law.absorption");
         }
     }
     let Some(material) = rest.materials.iter().find(|material| material.surface.facts().orbits) else { return };
     let name = &material.name;
     if rest.paths {
-        let help = "leave transport out, or use kind = \"blackbody\"";
-        root.fault(&["materials"], format!("`{name}` orbits, and paths see nothing that does"), help);
+        let help = "use lighting = \"direct\", or kind = \"blackbody\"";
+        root.fault(&["materials"], format!("`{name}` is orbiting matter, which path tracing does not support"), help);
     } else if rest.law.is_some_and(|law| matter::innermost_stable(law, rest.reach).is_none()) {
-        let problem =
-            format!("`{name}` orbits, and this law has no innermost stable orbit within rays.bounding_sphere");
-        root.fault(&["materials"], problem, "use law.kind = \"kerr-newman\", or a hole by its line element");
+        let problem = format!(
+            "`{name}` is orbiting matter, and this law has no innermost stable orbit (ISCO) within rays.bounding_sphere"
+        );
+        root.fault(
+            &["materials"],
+            problem,
+            "use law.kind = \"kerr-newman\", or a black hole defined by its line element",
+        );
     }
 }
 
@@ -51,8 +56,11 @@ pub fn check_discs(reader: &Reader, placed: &[(Place, Object)], materials: &[Mat
         if material.surface.facts().orbits && (across.cross(axis).length() > OFF || height > OFF * object.ball().1) {
             reader.fault(Fault {
                 place: *place,
-                problem: format!("`{}` goes round the law's axis, and this is not across it", material.name),
-                help: format!("its plane has to go through {center}, with the normal {axis}: see law.axis"),
+                problem: format!(
+                    "`{}` orbits the axis of the law, and this object is not perpendicular to that axis",
+                    material.name
+                ),
+                help: format!("move it into the plane through {center} with the normal {axis}: see law.axis"),
             });
         }
     }

@@ -20,12 +20,12 @@ pub fn read(root: &TableReader, files: &mut Files, law: Option<&dyn Law>, paths:
     let sky = one(&table, files);
     let beyond = table.subtable("other_side", "sky.other_side").map(|beyond| {
         if law.is_some_and(|law| law.facts().throat.is_none()) {
-            let problem = "only a wormhole has another side";
-            table.fault(&["other_side"], problem, "leave it out, or use law.kind = \"wormhole\" or law.throat");
+            let problem = "`other_side` requires a wormhole";
+            table.fault(&["other_side"], problem, "remove it, or use law.kind = \"wormhole\" or law.throat");
         }
         if paths {
-            let problem = "paths know one sky, that of both sides";
-            table.fault(&["other_side"], problem, "leave it out, or use lighting = \"direct\"");
+            let problem = "path tracing uses one sky for both sides";
+            table.fault(&["other_side"], problem, "remove it, or use lighting = \"direct\"");
         }
         let sky = one(&beyond, files);
         beyond.finish();

@@ -34,10 +34,10 @@ pub(super) fn lights(
             },
             Valid(kind @ (Type::Point | Type::Spot)) => {
                 if kind == Type::Spot {
-                    left.out("the cones of spot lights, which shine all round", &name);
+                    left.out("the cones of spot lights, which become point lights", &name);
                 }
                 if light.range.is_some() {
-                    left.out("the ranges of lights, which reach everywhere", &name);
+                    left.out("the ranges of lights, which become unlimited", &name);
                 }
                 let position = placed.world.translation;
                 places.push(position);
@@ -47,11 +47,11 @@ pub(super) fn lights(
                     color(radiance)
                 )]);
             }
-            _ => left.out("lights of an unknown kind", &name),
+            _ => left.out("lights of an unknown type", &name),
         }
     }
     if text.is_empty() && !shines {
-        left.added("a light, as the file has none");
+        left.added("a light, because the file has none");
         let towards = (extent.center() - eye).try_normalize().unwrap_or(DVec3::NEG_Z);
         let side = towards.cross(DVec3::Y).try_normalize().unwrap_or(DVec3::X);
         let from_above_left = towards + 0.5 * side + 0.5 * DVec3::NEG_Y;

@@ -98,7 +98,7 @@ fn of_the_file(root: &Root, left: &mut Left) {
         left.out("animations", "");
     }
     if root.scenes.len() > 1 {
-        left.out("scenes but the one that the file shows", "");
+        left.out("scenes other than the default scene", "");
     }
     for name in root.extensions_used.iter().filter(|name| !READ.contains(&name.as_str()) && !name.contains("_texture_"))
     {
@@ -124,7 +124,7 @@ fn objects(
             NodeName::Number(number) => placed.node.name.clone().unwrap_or_else(|| format!("node {number}")),
         };
         if placed.node.skin.is_some() {
-            left.out("skins: meshes stand as they were made", &called);
+            left.out("skins; meshes keep their original shape", &called);
         }
         for (i, primitive) in mesh.primitives.iter().enumerate() {
             if !is_drawn(primitive) {

@@ -70,7 +70,7 @@ impl<'a> Surfaces<'a> {
         if let Some((material, extensions)) = material.zip(extensions).filter(|_| transmitted > 0.0) {
             let name = material.name.clone().unwrap_or_default();
             if transmitted >= 0.5 && is_closed() {
-                left.out("colour and roughness of surfaces that light goes through, which are clear", &name);
+                left.out("color and roughness of transmissive surfaces, which become clear", &name);
                 let index = extensions.ior.as_ref().map_or(1.5, |ior| f64::from(ior.ior.0));
                 let index = number_above_one(index);
                 let Some(density) = extensions.volume.as_ref().and_then(|volume| absorption(volume, &name, left))
@@ -82,10 +82,7 @@ impl<'a> Surfaces<'a> {
                     "interior = {{ kind = \"constant\", n = {index}, absorption = {{ coefficient = {density} }} }}"
                 );
             }
-            left.out(
-                "light that goes through surfaces, where they are not closed or let through less than half",
-                &name,
-            );
+            left.out("transmission of surfaces that are not closed or that transmit less than half", &name);
         }
         format!("material = {}", quoted(&self.named(number, has_vertex_colors, left)))
     }
@@ -132,7 +129,7 @@ impl<'a> Surfaces<'a> {
         let (metal, rough) = self.metal_and_roughness(material, name, left);
         if metal >= 0.5 && rough < MATTE {
             if emission != DVec3::ZERO {
-                left.out("light of smooth metals", name);
+                left.out("emission of smooth metals", name);
             }
             if rough < SMOOTH {
                 return format!("kind = \"mirror\"\ncolor = {pattern}\n");
@@ -140,14 +137,14 @@ impl<'a> Surfaces<'a> {
             return format!("kind = \"glossy\"\ncolor = {pattern}\nexponent = {}\n", number(blinn(rough) / 4.0));
         }
         let mut keys = if metal >= 0.5 {
-            left.out("the reflections of rough metals, which are matte with a highlight", name);
+            left.out("reflections of rough metals, which become matte with a highlight", name);
             matte_metal(&pattern, rough)
         } else {
             matte(&pattern, rough)
         };
         if emission != DVec3::ZERO {
             if material.emissive_texture.is_some() {
-                left.out("pictures of emission on surfaces that are not black", name);
+                left.out("emission textures on surfaces that are not black", name);
             } else {
                 self.shines = true;
                 keys.extend([format!("emission = {}\n", color(emission))]);
@@ -162,17 +159,17 @@ impl<'a> Surfaces<'a> {
         let texture: Option<&Texture> = self.file.root.get(info.index);
         let path = image_number(texture, name, left).and_then(|number| self.pictures.path(number, left));
         let Some(path) = path else {
-            left.out("the color of surfaces whose image is not read: they are magenta", name);
+            left.out("colors of surfaces whose image is unreadable, which become magenta", name);
             return Base::Color(MISSING);
         };
         if !factor.abs_diff_eq(DVec3::ONE, 1e-3) {
-            left.out("factors on the colours of pictures", name);
+            left.out("color factors of textures", name);
         }
         let sampler = texture.and_then(|texture| texture.sampler);
         let sampler = sampler.and_then(|sampler: Index<_>| self.file.root.get(sampler));
         let repeats = |wrap| matches!(wrap, Valid(WrappingMode::Repeat));
         if sampler.is_some_and(|sampler| !repeats(sampler.wrap_s) || !repeats(sampler.wrap_t)) {
-            left.out("pictures that do not repeat as they are", name);
+            left.out("wrap modes of textures, which repeat instead", name);
         }
         Base::Image(path)
     }
@@ -182,7 +179,7 @@ impl<'a> Surfaces<'a> {
         let pbr = &material.pbr_metallic_roughness;
         let (metal, rough) = (f64::from(pbr.metallic_factor.0), f64::from(pbr.roughness_factor.0));
         let Some(info) = &pbr.metallic_roughness_texture else { return (metal, rough) };
-        left.out("pictures of metal and roughness, of which the means are taken", name);
+        left.out("metallic-roughness textures, which are replaced by their means", name);
         let texture: Option<&Texture> = self.file.root.get(info.index);
         let mean = image_number(texture, name, left).and_then(|number| self.pictures.mean(number, left));
         mean.map_or((metal, rough), |[_, green, blue]| (metal * blue, rough * green))
@@ -193,7 +190,7 @@ impl<'a> Surfaces<'a> {
 fn image_number(texture: Option<&Texture>, name: &str, left: &mut Left) -> Option<usize> {
     let number = texture.and_then(image_of);
     if number.is_none() {
-        left.out("textures that have no image", name);
+        left.out("textures without an image", name);
     }
     number
 }
@@ -201,13 +198,13 @@ fn image_number(texture: Option<&Texture>, name: &str, left: &mut Left) -> Optio
 /// Records features of a material that the scene format does not support.
 fn lost(material: &Material, name: &str, left: &mut Left) {
     if material.normal_texture.is_some() {
-        left.out("pictures of normals", name);
+        left.out("normal maps", name);
     }
     if material.occlusion_texture.is_some() {
-        left.out("pictures of occlusion", name);
+        left.out("occlusion maps", name);
     }
     if !matches!(material.alpha_mode, Valid(AlphaMode::Opaque)) {
-        left.out("transparency of colours", name);
+        left.out("transparency of colors", name);
     }
 }
 
@@ -257,12 +254,12 @@ fn absorption(volume: &Volume, name: &str, left: &mut Left) -> Option<DVec3> {
         return None;
     }
     if volume.thickness_factor.0 <= 0.0 {
-        left.out("absorption of materials that are thin-walled (their `thicknessFactor` is 0)", name);
+        left.out("absorption of thin-walled materials (`thicknessFactor` is 0)", name);
         return None;
     }
     let is_color = color.cmpge(DVec3::ZERO).all() && color.cmple(DVec3::ONE).all();
     if !(is_color && distance > 0.0) {
-        left.out("absorption whose color is not from 0 to 1, or whose distance is not above 0", name);
+        left.out("absorption with a color outside 0 to 1, or a distance that is not above 0", name);
         return None;
     }
     Some(color.to_array().map(|c| (-c.ln()).clamp(0.0, OPAQUE) / distance).into())

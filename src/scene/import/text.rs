@@ -88,7 +88,7 @@ impl Left {
             let more = names.len() - told.len();
             let rest = if more > 0 { format!(" and {more} more") } else { String::new() };
             let of = if told.is_empty() { String::new() } else { format!(" (of {}{rest})", told.join(", ")) };
-            format!("not taken over: {kind}{of}")
+            format!("not imported: {kind}{of}")
         });
         let added = self.added.into_iter().map(|what| format!("added: {what}"));
         kinds.chain(added).collect()

@@ -28,11 +28,11 @@ pub(super) fn cameras(file: &Gltf, nodes: &[Placed], extent: &Extent, left: &mut
         let name = names.cloned().unwrap_or_else(|| format!("node {}", placed.number));
         match view(placed, camera, &name) {
             Some(view) => views.push(view),
-            None => left.out("cameras that show nothing", &name),
+            None => left.out("cameras without a valid projection", &name),
         }
     }
     if views.is_empty() {
-        left.added("a camera that shows all, as the file has none");
+        left.added("a camera that shows the whole scene, because the file has none");
         let forward = -DVec3::new(0.6, 0.4, 1.0).normalize();
         let (position, kind) = (extent.center() - 3.0 * extent.radius() * forward, "fov = 45\n".to_owned());
         views.push(View { name: "camera".to_owned(), position, forward, up: DVec3::Y, kind, aspect: 4.0 / 3.0 });
@@ -46,7 +46,7 @@ pub(super) fn cameras(file: &Gltf, nodes: &[Placed], extent: &Extent, left: &mut
     let width = (600.0 * views[0].aspect).round().clamp(1.0, 65_536.0);
     let mut text = format!("[image]\nsize = [{width}, 600]\nsamples = 4\n\n{}", table(&views[0]));
     for other in &views[1..] {
-        left.out("cameras but the first, which are comments in the scene", &other.name);
+        left.out("cameras other than the first, which become comments in the scene", &other.name);
         let lines: Vec<String> = table(other).lines().map(|line| format!("# {line}")).collect();
         text.extend([format!("\n# The camera {}:\n{}\n", other.name.replace(char::is_control, " "), lines.join("\n"))]);
     }

@@ -243,8 +243,8 @@ fn check_names_objects_whose_colors_are_not_used() {
         let object = format!("shape = \"mesh\"\nfile = \"{name}.obj\"");
         scene(diffuse, &object).unwrap_or_else(|error| panic!("{error}")).unused_vertex_colors().expect("some")
     };
-    let one = "object 0 (from 0) has vertex colors, which its material does not use: see vertex_colors";
+    let one = "objects[0] has vertex colors that its material does not use: see `vertex_colors`";
     assert_eq!(unused("{ vertex_colors = true }", "colored"), one);
     assert_eq!(unused("[1, 1, 1]", "plain"), one);
-    assert!(unused("[1, 1, 1]", "colored").starts_with("objects 0, 1 (from 0) have vertex colors"));
+    assert!(unused("[1, 1, 1]", "colored").starts_with("objects[0], objects[1] have vertex colors"));
 }

@@ -19,18 +19,12 @@ fn scenes_that_are_too_fine_for_32_bits_are_named() {
     let beside = |x: f64| [x + 2.1, 2.3, 3.1];
     for (position, center, radius, fov, expected) in [
         (oblique(1e4), [0.0; 3], 1e-6, 2.3e-8, Some("a pixel is 2e-12 rad wide")),
-        (
-            oblique(1e4),
-            [0.0; 3],
-            1e-6,
-            50.0,
-            Some("places in 32 bits are 8e-4 apart, and the first of these is 2e-6 across"),
-        ),
-        (oblique(1e3), [0.0; 3], 1e-3, 2.3e-4, Some("directions in 32 bits are no finer than 1e-7")),
+        (oblique(1e4), [0.0; 3], 1e-6, 50.0, Some("32-bit positions are 8e-4 apart, and objects[0] is 2e-6 across")),
+        (oblique(1e3), [0.0; 3], 1e-3, 2.3e-4, Some("the resolution of 32-bit directions is 1e-7")),
         (oblique(1e3), [0.0; 3], 1.0, 0.23, None),
         (oblique(1e2), [0.0; 3], 0.01, 0.023, None),
-        (beside(1e6), [1e6, 0.0, 0.0], 1.0, 50.0, Some("object 0 (from 0): at 1e6 from the origin")),
-        (beside(1e5), [1e5, 0.0, 0.0], 1.0, 50.0, Some("object 0 (from 0): at 1e5 from the origin")),
+        (beside(1e6), [1e6, 0.0, 0.0], 1.0, 50.0, Some("objects[0]: at 1e6 from the origin")),
+        (beside(1e5), [1e5, 0.0, 0.0], 1.0, 50.0, Some("objects[0]: at 1e5 from the origin")),
         (beside(1e4), [1e4, 0.0, 0.0], 1.0, 50.0, None),
     ] {
         let found = ball(position, center, radius, fov, "f32");

@@ -269,7 +269,7 @@ fn files_of_every_format_are_turned() {
         let [cube, _] = &scene.objects[..] else { panic!("{name}: {} objects", scene.objects.len()) };
         let winding = |object: &Object, x| object.shape.mesh().map_or(0.0, |mesh| mesh.winding(x));
         assert!((winding(cube, DVec3::splat(0.3)) - 1.0).abs() < 1e-9 && cube.contains(DVec3::ZERO), "{name}");
-        let remark = "object 0 (from 0): 12 of its 12 triangles are wound inward, and are turned";
+        let remark = "objects[0]: 12 of its 12 triangles are wound inward, and are turned";
         assert_eq!(scene.mesh_remarks(), [remark], "{name}");
     }
 }
@@ -284,7 +284,7 @@ fn solids_of_one_mesh_come_behind_other_objects() {
     let is_mesh: Vec<bool> = scene.objects.iter().map(|object| object.shape.mesh().is_some()).collect();
     assert_eq!(is_mesh, [true, false, true]);
     let remark = "12 of its 24 triangles are wound inward, and are turned; its parts overlap, and count as 2 objects";
-    assert_eq!(scene.mesh_remarks(), [format!("object 0 (from 0): {remark}")]);
+    assert_eq!(scene.mesh_remarks(), [format!("objects[0]: {remark}")]);
 }
 
 #[test]

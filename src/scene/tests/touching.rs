@@ -103,5 +103,5 @@ fn closed_mirrors_count_among_what_a_ray_can_be_in() {
     };
     assert_eq!(good(&text(12)).objects.len(), 33);
     let error = parse(&text(13)).expect_err("33 bits").to_string();
-    assert!(error.contains("20 objects with an interior and 13 closed mirrors are more than 32"), "{error}");
+    assert!(error.contains("20 objects with an interior and 13 closed mirrors exceed the limit of 32"), "{error}");
 }

@@ -56,21 +56,21 @@ impl<'a> Pictures<'a> {
     /// Returns the name of an image in messages.
     fn called(&self, number: usize) -> String {
         let own = self.file.root.images.get(number).and_then(|image| image.name.clone());
-        own.filter(|name| !name.is_empty()).unwrap_or_else(|| format!("picture {number}"))
+        own.filter(|name| !name.is_empty()).unwrap_or_else(|| format!("image {number}"))
     }
 
     /// Returns an image that bentray can read, with its file extension, or the kind of an unsupported image.
     fn readable(&self, number: usize) -> Result<(StoredPicture, &'static str), String> {
-        let stored = self.file.image(number).map_err(|error| format!("images that cannot be read: {error}"))?;
+        let stored = self.file.image(number).map_err(|error| format!("unreadable images ({error})"))?;
         let start = match &stored {
-            StoredPicture::Beside(path) if !path.exists() => return Err("image files that do not exist".to_owned()),
+            StoredPicture::Beside(path) if !path.exists() => return Err("missing image files".to_owned()),
             StoredPicture::Beside(path) => {
-                Picture::start(path).map_err(|error| format!("unreadable images: {error}"))?
+                Picture::start(path).map_err(|error| format!("unreadable images ({error})"))?
             }
             StoredPicture::Within(bytes) => bytes.clone(),
         };
         let ending = Picture::ending(&start).map_err(|kind| {
-            format!("images {kind}, which bentray does not read: convert them to PNG or JPEG and export again")
+            format!("images {kind}, which bentray does not support; convert them to PNG or JPEG and export again")
         })?;
         Ok((stored, ending))
     }
@@ -80,12 +80,12 @@ impl<'a> Pictures<'a> {
         let mut refuse = |what: String| left.out(&what, &self.called(number));
         let bytes = match self.readable(number).map_err(&mut refuse).ok()?.0 {
             StoredPicture::Beside(path) => {
-                std::fs::read(path).map_err(|error| refuse(format!("images: {error}"))).ok()?
+                std::fs::read(path).map_err(|error| refuse(format!("unreadable images ({error})"))).ok()?
             }
             StoredPicture::Within(bytes) => bytes,
         };
         let reader = ImageReader::new(Cursor::new(bytes)).with_guessed_format().ok()?;
-        let decoded = reader.decode().map_err(|error| refuse(format!("images that cannot be read: {error}")));
+        let decoded = reader.decode().map_err(|error| refuse(format!("unreadable images ({error})")));
         let pixels = decoded.ok()?.into_rgb8();
         let count = pixels.pixels().len().max(1) as f64;
         let mut sums = [0.0; 3];

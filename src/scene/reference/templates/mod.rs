@@ -20,10 +20,10 @@ macro_rules! templates {
 }
 
 templates! {
-    "black-hole": "a black hole before a chequered sphere, with a comment on every line",
-    "kerr": "a hole that spins, with a disc of matter round it",
-    "lens": "a ball of varying index on a chequered floor",
-    "force": "light that is drawn to a line and pushed off by a centre",
+    "black-hole": "a black hole in front of a checkered sphere, with a comment on every line",
+    "kerr": "a rotating black hole with a thin accretion disk",
+    "lens": "a sphere with a varying refractive index on a checkered floor",
+    "force": "light attracted by a line and repelled by a center",
     "flow": "rays that follow the flow of the Lorenz system",
-    "paths": "a room with a lamp and a glass ball, light from wall to wall",
+    "paths": "a room with an area light and a glass sphere, rendered by path tracing",
 }

@@ -129,9 +129,10 @@ fn pictures_within_get_files_of_their_own() {
     assert_eq!(scene.materials[1].color, Pattern::Constant(DVec3::new(1.0, 0.0, 1.0)));
     let told = case.imported.left_out.join("\n");
     for said in [
-        "images of the format WebP, which bentray does not read: convert them to PNG or JPEG and export again (of `picture 1`)",
-        "they are magenta",
-        "of which the means are taken",
+        "images of the format WebP, which bentray does not support; convert them to PNG or JPEG and export again (of \
+         `image 1`)",
+        "which become magenta",
+        "which are replaced by their means",
         "added: a light",
     ] {
         assert!(told.contains(said), "{told}");
@@ -159,7 +160,7 @@ fn textures_without_an_image_of_their_own_are_told() {
     let told = case.imported.left_out.join("\n");
     assert!(!told.contains("4294967295"), "{told}");
     for said in
-        ["images of the format WebP", "(of `tiles`)", "textures that have no image (of `material 2`, `material 3`)"]
+        ["images of the format WebP", "(of `tiles`)", "textures without an image (of `material 2`, `material 3`)"]
     {
         assert!(told.contains(said), "{told}");
     }
@@ -207,7 +208,7 @@ fn cameras_and_lights_are_where_their_nodes_are() {
     let LightSource::Directional(direction) = scene.lights[1].source else { panic!("{:?}", scene.lights[1]) };
     assert!(direction.abs_diff_eq(DVec3::Y, 1e-6) && scene.lights[1].shadows == Shadows::Straight);
     let told = case.imported.left_out.join("\n");
-    for said in ["cameras but the first", "the cones of spot lights, which shine all round (of `node 5`)"] {
+    for said in ["cameras other than the first", "the cones of spot lights, which become point lights (of `node 5`)"] {
         assert!(told.contains(said), "{told}");
     }
     // The other camera can be selected.
@@ -239,7 +240,7 @@ fn closed_glass_is_filled_and_open_glass_is_told() {
     assert_eq!(scene.objects.len(), 2);
     assert!(scene.objects[0].interior().is_some() && scene.objects[1].interior().is_none());
     let told = case.imported.left_out.join("\n");
-    assert!(told.contains("not taken over: points and lines (of `node 0`)") && told.contains("not closed"), "{told}");
+    assert!(told.contains("not imported: points and lines (of `node 0`)") && told.contains("not closed"), "{told}");
 }
 
 /// Checks the Beer–Lambert law: white light acquires the volume's color over its distance.
@@ -286,7 +287,7 @@ fn volumes_absorb_light() {
     assert!(left(4, 1.0).expect("a filter").abs_diff_eq(DVec3::new(0.0, 1.0 / 16.0, 0.25), 1e-6));
     assert_eq!([1, 2, 3].map(|i| left(i, 1.0)), [None; 3]);
     let told = case.imported.left_out.join("\n");
-    for said in ["thin-walled (their `thicknessFactor` is 0)", "whose distance is not above 0"] {
+    for said in ["absorption of thin-walled materials (`thicknessFactor` is 0)", "a distance that is not above 0"] {
         assert!(told.contains(said), "{told}");
     }
     assert!(!told.contains("extension KHR_materials_volume"), "{told}");

@@ -69,5 +69,5 @@ fn vertex_colors_that_cannot_be_used_are_named() {
     let case = squares(&[pbr(0.0, 1.0)], &[(0, 2)]);
     assert_eq!(of(&case.scene(), 0).color, Pattern::Constant(DVec3::new(0.5, 0.25, 0.125)));
     let told = case.imported.left_out.join("\n");
-    assert!(told.contains("not taken over: vertex colors that cannot be used (of `n0`)"), "{told}");
+    assert!(told.contains("not imported: vertex colors that cannot be used (of `n0`)"), "{told}");
 }
