@@ -90,17 +90,11 @@ fn what_was_found_is_refused_in_words() {
     let profile = Profile::load(&path("profile/near.csv"));
     let long = mesh("obj/long_word.obj");
     for (said, expected) in [
-        (
-            gif.unwrap_err().to_string(),
-            "it is of the format GIF; PNG, JPEG, EXR and HDR are read: convert it to one of them",
-        ),
-        (exr.unwrap_err().to_string(), "pixels of 12 bytes, which its 1534 bytes cannot hold"),
-        (mesh("gltf/repeated.gltf"), "it is of 140000000 corners of triangles, as often as its nodes and meshes show"),
-        (
-            mesh("gltf/repeated.gltf"),
-            "at most 67108864 are read: make an object of each node, as `bentray import` does",
-        ),
-        (profile.unwrap_err().to_string(), "near.csv:3:1: the height 1e-320 is too near the one before, 0e0"),
+        (gif.unwrap_err().to_string(), "the image is in the format GIF: convert it to PNG, JPEG, EXR or HDR"),
+        (exr.unwrap_err().to_string(), "pixels of 12 bytes, which do not fit into the 1534 bytes of the file"),
+        (mesh("gltf/repeated.gltf"), "the file has 140000000 triangle corners, counting each instance"),
+        (mesh("gltf/repeated.gltf"), "the limit is 67108864; use one object per node, as `bentray import` does"),
+        (profile.unwrap_err().to_string(), "near.csv:3:1: the height 1e-320 is too close to the previous height, 0e0"),
         (long.clone(), "expected a number, found `9a9a9a"),
     ] {
         assert!(said.contains(expected), "{said}");
@@ -117,5 +111,5 @@ fn what_was_found_is_refused_in_words() {
     };
     let (field, error) = LineElement::parse(written).unwrap_err();
     assert_eq!(field, Field::TermName(199));
-    assert_eq!(error.problem, "201 names for numbers and formulas, and at most 200 are read");
+    assert_eq!(error.problem, "201 parameters and terms exceed the limit of 200");
 }

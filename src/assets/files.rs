@@ -184,7 +184,7 @@ impl Files {
         let placed = self.placed_mesh(reader, (node, part), wanted, (&path, identity))?;
         if !placed.0.left_out.is_empty() {
             let kinds = placed.0.left_out.join(", ");
-            self.left_out.insert(format!("{}: only triangles are drawn, and not {kinds}", path.display()));
+            self.left_out.insert(format!("{}: ignored {kinds}; only triangles are drawn", path.display()));
         }
         Some(placed)
     }
@@ -292,9 +292,9 @@ fn accept<T>(reader: &Reader, node: &Node, loaded: Result<T, SceneError>) -> Opt
     };
     let help = match &error {
         SceneError::Read { source, .. } if source.kind() == std::io::ErrorKind::NotFound => {
-            "files are found relative to the scene file's folder"
+            "file names are relative to the folder of the scene file"
         }
-        SceneError::Memory { .. } => "make it smaller, or raise the limit: --memory",
+        SceneError::Memory { .. } => "reduce its size, or raise the limit with --memory",
         _ => "",
     };
     match error {

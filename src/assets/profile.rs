@@ -52,12 +52,12 @@ impl Profile {
     /// Computes the spline through points `[height, n]`, with positive n.
     pub fn through(points: &[[f64; 2]]) -> Result<Self, Flaw> {
         if points.len() < 2 {
-            let problem = format!("a profile needs two points, found {}", points.len());
-            return Err(Flaw { point: None, problem, help: "give a height and its n for each".to_owned() });
+            let problem = format!("a profile requires at least two points, found {}", points.len());
+            return Err(Flaw { point: None, problem, help: "give each point as a height and its n".to_owned() });
         }
         if let Some(k) = points.windows(2).position(|pair| pair[1][0] <= pair[0][0]) {
-            let problem = format!("the height {} is not above the one before, {}", points[k + 1][0], points[k][0]);
-            return Err(Flaw { point: Some(k + 1), problem, help: "order the points by rising height".to_owned() });
+            let problem = format!("the height {} is not above the previous height, {}", points[k + 1][0], points[k][0]);
+            return Err(Flaw { point: Some(k + 1), problem, help: "sort the points by ascending height".to_owned() });
         }
         let profile = Self { points: spline(points) };
         let is_finite = |p: &ProfilePoint| [p.slope, p.bend, p.twist].iter().all(|x| (*x as f32).is_finite());
@@ -66,13 +66,13 @@ impl Profile {
             let k = (0..points.len() - 1).min_by(|a, b| width(a).total_cmp(&width(b))).unwrap_or(0);
             let [before, height] = [points[k][0], points[k + 1][0]];
             let problem =
-                format!("the height {height:e} is too near the one before, {before:e}: no finite curve is so steep");
-            return Err(Flaw { point: Some(k + 1), problem, help: "leave one of the two points out".to_owned() });
+                format!("the height {height:e} is too close to the previous height, {before:e}, for a finite slope");
+            return Err(Flaw { point: Some(k + 1), problem, help: "remove one of the two points".to_owned() });
         }
         let (height, n) = profile.lowest();
         if n <= 0.0 {
-            let problem = format!("the curve through the points falls to n = {n:.4} at the height {height:.4}");
-            let help = "n must stay above 0: give more points where it turns".to_owned();
+            let problem = format!("the curve through the points falls to n = {n:.4} at height {height:.4}");
+            let help = "add points near this minimum, because n must stay above 0".to_owned();
             return Err(Flaw { point: None, problem, help });
         }
         Ok(profile)
@@ -114,7 +114,7 @@ impl Profile {
         let header = lines.next().unwrap_or(&text[..0]);
         if !header.split(',').map(str::trim).eq(COLUMNS.split(',')) {
             let problem = format!("expected the columns {COLUMNS}, found `{header}`");
-            return Err(SceneError::Mistakes(vec![mistake(header, problem, "the first line names them")]));
+            return Err(SceneError::Mistakes(vec![mistake(header, problem, "name the columns in the first line")]));
         }
         let (mut mistakes, mut points, mut places) = (Vec::new(), Vec::new(), Vec::new());
         for line in lines {

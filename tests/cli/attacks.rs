@@ -39,11 +39,14 @@ fn pictures_with_forged_sizes_are_refused_by_their_headers() {
     let folder = Folder::with(&BALL.replace("color = [0.2, 0.3, 0.4]", "image = \"sky.png\""));
     folder.write("sky.png", forged(40_000, 40_000));
     let check = || soon(|| folder.run("check scene.toml"));
-    check().fails(1, &["its header says 40000×40000 pixels, which its 45 bytes cannot hold"]);
+    check().fails(1, &["the header declares 40000×40000 pixels, which do not fit into the 45 bytes of the file"]);
     let mut large = forged(40_000, 40_000);
     large.resize(1 << 20, 0);
     folder.write("sky.png", large);
-    check().fails(1, &["it has 40000×40000 pixels, 1600000000, and at most 268435456 are read: make it smaller"]);
+    check().fails(
+        1,
+        &["the image has 40000×40000 = 1600000000 pixels, and at most 268435456 are supported: reduce its size"],
+    );
     folder.write("sky.png", forged(0, 4));
     check().fails(1, &["cannot use the image `sky.png`"]);
 }
@@ -161,7 +164,7 @@ fn files_take_no_more_memory_than_they_may() {
     let refused = ["sky.png` : it needs 1.5 MiB of memory, and 1.0 MiB of 1.0 MiB are left".replace("` :", "`:")];
     let ran = render("1MiB");
     assert_eq!(ran.code, Some(1));
-    ran.says(&[&refused[0], "help: make it smaller, or raise the limit: --memory"]);
+    ran.says(&[&refused[0], "help: reduce its size, or raise the limit with --memory"]);
     // A mesh is known by its file's length first.
     let mesh = "[[objects]]\nshape = \"mesh\"\nfile = \"large.obj\"\nmaterial = \"red\"\n";
     folder.write("scene.toml", format!("{BALL}{mesh}"));

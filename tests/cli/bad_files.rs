@@ -17,7 +17,7 @@ fn broken_meshes_are_named_with_the_place_in_their_own_file() {
         &[
             "scene.toml:18:8: cannot read `mesh.obj`: ",
             "\n    file = \"mesh.obj\"\n           ^^^^^^^^^^\n",
-            "files are found relative to the scene file's folder",
+            "file names are relative to the folder of the scene file",
             "1 error",
         ],
     );
@@ -28,15 +28,19 @@ fn broken_meshes_are_named_with_the_place_in_their_own_file() {
         (&format!("{corners}f 1 2 2\n"), &["the mesh has no triangles with an area"]),
         (
             &format!("{corners}f 1 2 9\n"),
-            &["mesh.obj:4:7: there is no vertex `9`", "\n    f 1 2 9\n          ^\n", "3 stand above this line"],
+            &[
+                "mesh.obj:4:7: vertex `9` does not exist",
+                "\n    f 1 2 9\n          ^\n",
+                "3 are defined above this line",
+            ],
         ),
-        (&format!("{corners}f 0 1 2\n"), &["mesh.obj:4:3: there is no vertex `0`"]),
-        (&format!("{corners}f 1 2//1 3\n"), &["mesh.obj:4:5: there is no normal `1`"]),
+        (&format!("{corners}f 0 1 2\n"), &["mesh.obj:4:3: vertex `0` does not exist"]),
+        (&format!("{corners}f 1 2//1 3\n"), &["mesh.obj:4:5: normal `1` does not exist"]),
         (
             "v 0 0 0\nv 1 NaN 0\nv 0 1 0\nf 1 2 3\n",
-            &["mesh.obj:2:5: expected a number, found `NaN`", "numbers are finite"],
+            &["mesh.obj:2:5: expected a number, found `NaN`", "numbers must be finite"],
         ),
-        ("v 0 0\n", &["mesh.obj:1:1: `v` needs 3 numbers, found 2"]),
+        ("v 0 0\n", &["mesh.obj:1:1: `v` requires 3 numbers, found 2"]),
     ];
     for (mesh, texts) in cases {
         folder.write("mesh.obj", mesh);
@@ -159,7 +163,7 @@ fn what_is_no_scene_and_no_file_is_refused() {
     let folder = Folder::with(&(BALL.to_owned() + MESH));
     std::os::unix::fs::symlink("/dev/zero", folder.path("mesh.obj")).unwrap();
     folder.run("check scene.toml").fails(1, &["cannot read `mesh.obj`: not a regular file, and longer than 1 GiB"]);
-    folder.run("check /dev/zero").fails(1, &["cannot read `/dev/zero`: it is no file"]);
+    folder.run("check /dev/zero").fails(1, &["cannot read `/dev/zero`: not a regular file"]);
     std::fs::write(folder.path("a.glb"), b"glTF\x02\0\0\0\xff").unwrap();
     folder.run("check a.glb").fails(1, &["this is a glTF file, not text", "`bentray import FILE -o scene.toml`"]);
 }

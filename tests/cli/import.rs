@@ -101,7 +101,7 @@ fn nothing_is_replaced_and_a_wrong_file_leaves_nothing() {
     folder.write("cut.glb", &file()[..500]);
     folder
         .run("import cut.glb -o cut.toml")
-        .fails(1, &["cannot use the mesh `cut.glb`: at byte 8: the file is said to have "]);
+        .fails(1, &["cannot use the mesh `cut.glb`: at byte 8: the header declares "]);
     folder.run("import none.glb -o cut.toml").fails(1, &["cannot read `none.glb`"]);
     folder.write("empty.gltf", r#"{ "asset": { "version": "2.0" } }"#);
     folder.run("import empty.gltf -o cut.toml").fails(1, &["its scene has no triangles"]);
@@ -113,7 +113,7 @@ fn what_is_no_gltf_is_said_in_words() {
     let folder = Folder::new();
     for bytes in [&b"\x89PNG\r\n\x1a\n and more"[..], b"[1, 2]", b""] {
         std::fs::write(folder.path("a.gltf"), bytes).unwrap();
-        let said = "cannot use the mesh `a.gltf`: not glTF: it begins neither with `glTF` nor with JSON's `{`";
+        let said = "cannot use the mesh `a.gltf`: not a glTF file: it begins neither with `glTF` nor with `{`";
         folder.run("import a.gltf -o a.toml").fails(1, &[said]);
     }
 }

@@ -116,7 +116,7 @@ impl LineElement {
             left |= lowered.iter().chain([&q]).any(|id| values[id.index()].abs() > 0.0);
         }
         let help = "for example -dt^2 + dx^2 + dy^2 + dz^2";
-        if left { Err(self.wrong("every part of a line element has two differentials", help)) } else { Ok(()) }
+        if left { Err(self.wrong("each term of a line element requires two differentials", help)) } else { Ok(()) }
     }
 
     fn check_numbers(&self) -> Result<(), Wrong> {
@@ -128,7 +128,7 @@ impl LineElement {
         let gap = self.gap.map_or_else(Vec::new, |gap| gap.to_vec());
         check(captured, &self.graph, &gap).map_err(inside(Field::Captured))?;
         if self.depends_on(&gap, Variable::TIME) {
-            let problem = "where rays end cannot depend on t".to_owned();
+            let problem = "the capture condition cannot depend on t".to_owned();
             return Err((Field::Captured, FormulaError { place: 0..captured.len(), problem, help: String::new() }));
         }
         Ok(())

@@ -166,19 +166,18 @@ fn check(text: &str, graph: &Graph, roots: &[Id]) -> Result<(), FormulaError> {
     let wrong = |problem: String| FormulaError {
         place: 0..text.len(),
         problem,
-        help: "all numbers, also those that follow from others, are 0 or from 1e-37 to 1e38 in magnitude".to_owned(),
+        help: "all numbers, including computed constants, must be 0 or have a magnitude from 1e-37 to 1e38".to_owned(),
     };
     for id in graph.reached(roots) {
         if let Some(number) = graph.number(id) {
             if number != 0.0 && !(1e-37..=1e38).contains(&number.abs()) {
-                let problem =
-                    format!("the number {number:e}, which follows from it, is beyond the range of 32-bit floats");
+                let problem = format!("the computed constant {number:e} is outside the range of 32-bit floats");
                 return Err(wrong(problem));
             }
         } else {
             let parts = graph.parts(id);
             if !parts.is_empty() && parts.iter().all(|part| graph.number(*part).is_some()) {
-                return Err(wrong("a constant part of it has no finite value".to_owned()));
+                return Err(wrong("a constant part of the formula has no finite value".to_owned()));
             }
         }
     }

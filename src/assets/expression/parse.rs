@@ -46,9 +46,9 @@ type Parsed = Result<Tree, FormulaError>;
 /// Returns the error for a token after a complete formula.
 fn unexpected(token: Token, place: Range<usize>) -> FormulaError {
     match token {
-        Token::Sign(')') => wrong(place, "there is no ( for this )", ""),
+        Token::Sign(')') => wrong(place, "unmatched `)`", ""),
         Token::Number(_) | Token::Name(_) | Token::Sign('(') => {
-            wrong(place, "expected an operator before this", "products are written with *, as in 2 * x")
+            wrong(place, "expected an operator before this", "write products with *, such as 2 * x")
         }
         Token::Sign(sign) => wrong(place, format!("unexpected `{sign}`"), "expected one of + - * / ^, or the end"),
     }
@@ -73,7 +73,7 @@ impl<'a> Parser<'a> {
     fn sum(&mut self) -> Parsed {
         self.depth += 1;
         if self.depth > DEEPEST {
-            return Err(wrong(self.place(), format!("more than {DEEPEST} parts inside each other"), ""));
+            return Err(wrong(self.place(), format!("the formula is nested more than {DEEPEST} levels deep"), ""));
         }
         let mut sum = self.product()?;
         while let Some(operator) = self.operator(&[('+', Operator::Plus), ('-', Operator::Minus)]) {
@@ -99,7 +99,7 @@ impl<'a> Parser<'a> {
         // A sequence of minus signs and powers is nested like parentheses.
         self.depth += 1;
         if self.depth > DEEPEST {
-            return Err(wrong(self.place(), format!("more than {DEEPEST} parts inside each other"), ""));
+            return Err(wrong(self.place(), format!("the formula is nested more than {DEEPEST} levels deep"), ""));
         }
         let tree = if self.take('-') { Tree::Negative(Box::new(self.minus()?)) } else { self.power()? };
         self.depth -= 1;
@@ -126,12 +126,12 @@ impl<'a> Parser<'a> {
             Some(Token::Sign(sign)) => Err(wrong(
                 place,
                 format!("expected a number, a name or (, found `{sign}`"),
-                format!("as in {}", self.language.example),
+                format!("for example {}", self.language.example),
             )),
             None if self.end == 0 || self.tokens.is_empty() => {
                 Err(wrong(0..self.end, "the formula is empty", format!("for example {}", self.language.example)))
             }
-            None => Err(wrong(place, "the formula ends too soon", "expected a number, a name or (")),
+            None => Err(wrong(place, "the formula is incomplete", "expected a number, a name or (")),
         }
     }
 
@@ -140,8 +140,8 @@ impl<'a> Parser<'a> {
             return Ok(());
         }
         match self.peek() {
-            None => Err(wrong(open, "there is no ) for this (", "")),
-            Some(Token::Sign(',')) => Err(wrong(self.place(), "unexpected `,`", "only min and max take two numbers")),
+            None => Err(wrong(open, "unmatched `(`", "")),
+            Some(Token::Sign(',')) => Err(wrong(self.place(), "unexpected `,`", "only min and max have two arguments")),
             Some(token) => Err(unexpected(token, self.place())),
         }
     }
@@ -149,7 +149,7 @@ impl<'a> Parser<'a> {
     fn named(&mut self, name: &str, place: Range<usize>) -> Parsed {
         if let Some(tree) = self.language.named(name) {
             if self.peek() == Some(Token::Sign('(')) {
-                let help = format!("a product is written {name} * (..)");
+                let help = format!("write a product as {name} * (..)");
                 return Err(wrong(place, format!("`{name}` is not a function"), help));
             }
             return Ok(tree);
@@ -162,15 +162,15 @@ impl<'a> Parser<'a> {
         let open = self.place();
         if !self.take('(') {
             let example = if extreme.is_some() { "1, x" } else { "x" };
-            return Err(wrong(place, format!("`{name}` is a function"), format!("it is written {name}({example})")));
+            return Err(wrong(place, format!("`{name}` is a function"), format!("write {name}({example})")));
         }
         let first = Box::new(self.sum()?);
         let tree = match (function, extreme) {
             (Some(function), _) => Tree::Call(function, first),
             (None, Some(extreme)) if self.take(',') => Tree::Extreme(extreme, first, Box::new(self.sum()?)),
             _ => {
-                let help = format!("it is written {name}(1, x)");
-                return Err(wrong(place, format!("`{name}` takes two numbers"), help));
+                let help = format!("write {name}(1, x)");
+                return Err(wrong(place, format!("`{name}` requires two arguments"), help));
             }
         };
         self.close(open)?;
@@ -181,7 +181,7 @@ impl<'a> Parser<'a> {
 fn unknown(name: &str, place: Range<usize>, language: &Language) -> FormulaError {
     let functions = Function::WRITTEN.iter().map(|(text, _)| *text);
     let names: Vec<&str> = language.known().chain(functions).chain(["min", "max"]).collect();
-    let help = if name == "ln" { "the natural logarithm is log".to_owned() } else { suggest(name, &names, "names") };
+    let help = if name == "ln" { "use log, the natural logarithm".to_owned() } else { suggest(name, &names, "names") };
     wrong(place, format!("unknown name `{name}`"), help)
 }
 

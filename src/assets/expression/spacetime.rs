@@ -152,7 +152,7 @@ impl Reader {
             } else {
                 Field::TermName(MOST_NAMES - parameters)
             };
-            let problem = format!("{named} names for numbers and formulas, and at most {MOST_NAMES} are read");
+            let problem = format!("{named} parameters and terms exceed the limit of {MOST_NAMES}");
             return Err((field, wrong(0..0, problem, "")));
         }
         for (k, (name, value)) in written.parameters.iter().enumerate() {
@@ -190,12 +190,12 @@ impl Reader {
         let is_name = name.starts_with(|c: char| c.is_ascii_alphabetic())
             && name.chars().all(|c| c.is_ascii_alphanumeric() || c == '_');
         if !is_name {
-            let help = "use letters, digits and underscores, a letter first";
-            return Err(wrong(place, format!("`{name}` is no name"), help));
+            let help = "use letters, digits and underscores, and begin with a letter";
+            return Err(wrong(place, format!("`{name}` is not a valid name"), help));
         }
         let mut functions = Function::WRITTEN.iter().map(|(text, _)| *text).chain(["min", "max"]);
         if self.language(&ALL).named(name).is_some() || functions.any(|known| known == name) {
-            return Err(wrong(place, format!("`{name}` has a meaning already"), "use another name"));
+            return Err(wrong(place, format!("`{name}` is already defined"), "use another name"));
         }
         Ok(())
     }

@@ -97,33 +97,33 @@ fn mistakes_have_their_place() {
     for (marked, problem, help) in [
         ("«»", "the formula is empty", "for example"),
         ("«   »", "the formula is empty", ""),
-        ("1 + «»", "the formula ends too soon", "expected a number"),
+        ("1 + «»", "the formula is incomplete", "expected a number"),
         ("2«(»x)", "expected an operator before this", "2 * x"),
         ("2«x»", "expected an operator before this", "2 * x"),
         ("1 + «*» 2", "expected a number, a name or (, found `*`", ""),
-        ("«(»1 + x", "there is no ) for this (", ""),
-        ("exp«(»-r^2", "there is no ) for this (", ""),
-        ("1 + x«)»", "there is no ( for this )", ""),
+        ("«(»1 + x", "unmatched `(`", ""),
+        ("exp«(»-r^2", "unmatched `(`", ""),
+        ("1 + x«)»", "unmatched `)`", ""),
         ("1 + «xx»", "unknown name `xx`", "use `x`"),
-        ("«ln»(x)", "unknown name `ln`", "the natural logarithm is log"),
+        ("«ln»(x)", "unknown name `ln`", "use log, the natural logarithm"),
         ("«sine»(x)", "unknown name `sine`", "use `sin"),
         ("«exp» + 1", "`exp` is a function", "exp(x)"),
         ("«min» + 1", "`min` is a function", "min(1, x)"),
-        ("«min»(x)", "`min` takes two numbers", "min(1, x)"),
+        ("«min»(x)", "`min` requires two arguments", "min(1, x)"),
         ("exp(x«,» y)", "unexpected `,`", "only min and max"),
         ("min(x, y«,» z)", "unexpected `,`", "only min and max"),
         ("1 «,» 2", "unexpected `,`", ""),
         ("2 * «x»(y)", "`x` is not a function", "x * (..)"),
         ("x «**» 2", "unknown operator `**`", "^"),
-        ("1 «−» x", "unexpected character `−`", "minus is written -"),
-        ("r«²»", "unexpected character `²`", "as in r^2"),
+        ("1 «−» x", "unexpected character `−`", "write minus as -"),
+        ("r«²»", "unexpected character `²`", "such as r^2"),
         ("é + «§»", "unexpected character `§`", ""),
         ("1 + «.»", "expected a number, found `.`", ""),
         ("1 + «1.2.3»", "expected an operator before this", ""),
         ("«1e31» * x", "outside the range of 32-bit floats", "1e-30"),
         ("«1e-40» * x", "outside the range of 32-bit floats", "1e-30"),
-        ("«1 / 0»", "a constant part of it has no finite value", ""),
-        ("«x + sqrt(-1)»", "a constant part of it has no finite value", ""),
+        ("«1 / 0»", "a constant part of the formula has no finite value", ""),
+        ("«x + sqrt(-1)»", "a constant part of the formula has no finite value", ""),
         ("«1e30 * 1e30 * x»", "outside the range of 32-bit floats", ""),
     ] {
         // If one number follows another, the error is at the second.
@@ -139,10 +139,10 @@ fn mistakes_have_their_place() {
         assert!(helped.contains(help) || unknown, "{text}: {helped}");
     }
     let tower = format!("{}x{}", "(".repeat(30), "^64)".repeat(30));
-    assert!(Formula::parse(&format!("{tower} * {tower}")).unwrap_err().problem.contains("beyond the range"));
-    assert!(Formula::parse(&"(".repeat(900)).unwrap_err().problem.contains("more than 100 parts"));
-    assert!(Formula::parse(&"-".repeat(900)).unwrap_err().problem.contains("more than 100 parts"));
-    assert!(Formula::parse(&"2^".repeat(400)).unwrap_err().problem.contains("more than 100 parts"));
+    assert!(Formula::parse(&format!("{tower} * {tower}")).unwrap_err().problem.contains("outside the range"));
+    assert!(Formula::parse(&"(".repeat(900)).unwrap_err().problem.contains("more than 100 levels"));
+    assert!(Formula::parse(&"-".repeat(900)).unwrap_err().problem.contains("more than 100 levels"));
+    assert!(Formula::parse(&"2^".repeat(400)).unwrap_err().problem.contains("more than 100 levels"));
     assert!(Formula::parse(&"x + ".repeat(400)).unwrap_err().problem.contains("longer than 1000"));
 }
 

@@ -34,18 +34,18 @@ pub fn tokens<'a>(text: &'a str, language: &Language) -> Result<Vec<(Token<'a>, 
         } else if "+-*/^(),".contains(first) {
             // `**` is the power operator of other languages.
             if rest.starts_with("**") {
-                return Err(wrong(at..at + 2, "unknown operator `**`", "a power is written ^"));
+                return Err(wrong(at..at + 2, "unknown operator `**`", "write powers with ^"));
             }
             (Token::Sign(first), 1)
         } else {
             let help = match first {
-                '²' | '³' => "a power is written ^, as in r^2".to_owned(),
-                '−' | '–' => "minus is written -".to_owned(),
-                '·' | '×' => "times is written *".to_owned(),
-                '[' | '{' => "only ( and ) are parentheses".to_owned(),
+                '²' | '³' => "write powers with ^, such as r^2".to_owned(),
+                '−' | '–' => "write minus as -".to_owned(),
+                '·' | '×' => "write multiplication as *".to_owned(),
+                '[' | '{' => "use ( and ) as parentheses".to_owned(),
                 _ => {
                     let names: Vec<&str> = language.known().collect();
-                    format!("a formula has numbers, {}, functions, + - * / ^ ( ) and ,", names.join(", "))
+                    format!("use numbers, {}, functions, + - * / ^ ( ) and ,", names.join(", "))
                 }
             };
             return Err(wrong(at..at + first.len_utf8(), format!("unexpected character `{first}`"), help));
@@ -81,10 +81,10 @@ fn number_length(text: &str) -> usize {
 
 fn number(word: &str, at: usize) -> Result<f64, FormulaError> {
     let place = at..at + word.len();
-    let help = "numbers are 0, or from 1e-30 to 1e30";
+    let help = "use 0, or a magnitude from 1e-30 to 1e30";
     match word.parse::<f64>() {
         Ok(value) if value == 0.0 || (SMALLEST..=LARGEST).contains(&value) => Ok(value),
-        Ok(_) => Err(wrong(place, "beyond the range of 32-bit floats", help)),
+        Ok(_) => Err(wrong(place, "outside the range of 32-bit floats", help)),
         Err(_) => Err(wrong(place, format!("expected a number, found `{word}`"), help)),
     }
 }

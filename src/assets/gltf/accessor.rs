@@ -77,10 +77,10 @@ impl Gltf {
         let accessor = self.get(index, "accessors", of)?;
         let name = format!("accessors[{}]", index.value());
         let (Valid(component), Valid(of_type)) = (&accessor.component_type, &accessor.type_) else {
-            return Err(Flaw(format!("{name} has a `type` or `componentType` that there is not")));
+            return Err(Flaw(format!("{name} has an invalid `type` or `componentType`")));
         };
         if !types.contains(of_type) {
-            return Err(Flaw(format!("{name} is of {of_type:?}, and {of} needs {:?}", types[0])));
+            return Err(Flaw(format!("{name} is of type {of_type:?}, and {of} requires {:?}", types[0])));
         }
         let size = component.0.size() * of_type.multiplicity();
         let mut elements = Elements {
@@ -100,7 +100,9 @@ impl Gltf {
             // All elements except those of `sparse` are 0: their number must not exceed the bytes in the file.
             None if elements.count > self.bytes.len() => {
                 let (count, has) = (elements.count, self.bytes.len());
-                return Err(Flaw(format!("{name} is of {count} elements of no buffer, and the file has {has} bytes")));
+                return Err(Flaw(format!(
+                    "{name} has {count} elements and no buffer view, and the file has {has} bytes"
+                )));
             }
             None => elements.bytes = Cow::Owned(vec![0; elements.count * size]),
         }
@@ -118,7 +120,8 @@ impl Gltf {
         match end {
             Some(end) => Ok((stride, &bytes[start as usize..end as usize])),
             None => Err(Flaw(format!(
-                "{of} is of {count} elements of {size} bytes, {stride} apart, from byte {start}, and bufferViews[{}] has {} bytes",
+                "{of} requires {count} elements of {size} bytes, {stride} apart, from byte {start}, and \
+                 bufferViews[{}] has {} bytes",
                 view.value(),
                 bytes.len()
             ))),
@@ -129,7 +132,7 @@ impl Gltf {
     fn replace(&self, accessor: &Accessor, elements: &mut Elements, size: usize, of: &str) -> Result<(), Flaw> {
         let Some(sparse) = &accessor.sparse else { return Ok(()) };
         let Valid(kind) = &sparse.indices.component_type else {
-            return Err(Flaw(format!("{of}.sparse.indices has a `componentType` that there is not")));
+            return Err(Flaw(format!("{of}.sparse.indices has an invalid `componentType`")));
         };
         let (count, of) = (sparse.count.0, format!("{of}.sparse"));
         let (start, width) = (sparse.indices.byte_offset.0, kind.0.size());

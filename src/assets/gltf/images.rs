@@ -38,12 +38,13 @@ impl Gltf {
     fn stored(&self, number: usize) -> Result<Stored, Flaw> {
         let of = format!("images[{number}]");
         let count = self.root.images.len();
-        let image = self.root.images.get(number).ok_or_else(|| Flaw(format!("there is no {of}; there are {count}")))?;
+        let image =
+            self.root.images.get(number).ok_or_else(|| Flaw(format!("{of} does not exist; the file has {count}")))?;
         match (&image.uri, image.buffer_view) {
             (Some(uri), _) => match self.beside(uri) {
                 // Anything that is not a regular file may have no end.
                 Some(path) if path.exists() && !path.is_file() => {
-                    Err(Flaw(format!("{of}: `{}` is not a file", path.display())))
+                    Err(Flaw(format!("{of} refers to `{}`, which is not a regular file", path.display())))
                 }
                 Some(path) => Ok(Stored::Beside(path)),
                 None => self.resource(uri, &of).map(Stored::Within),

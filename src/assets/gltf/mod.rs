@@ -55,7 +55,7 @@ impl Gltf {
     {
         self.root.get(index).ok_or_else(|| {
             let all: &[T] = self.root.as_ref();
-            Flaw(format!("{of}: there is no {list}[{}]; there are {}, counted from 0", index.value(), all.len()))
+            Flaw(format!("{of} refers to {list}[{}], and there are {}, counted from 0", index.value(), all.len()))
         })
     }
 }

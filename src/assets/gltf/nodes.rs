@@ -50,11 +50,11 @@ impl Gltf {
             let node = self.get(index, "nodes", "a scene or node")?;
             let number = index.value();
             if std::mem::replace(&mut met[number], true) {
-                return Err(Flaw(format!("nodes[{number}] has two places: nodes are trees")));
+                return Err(Flaw(format!("nodes[{number}] is used twice, but nodes must form a tree")));
             }
             let world = parent * self.maps.get(number).map_or(DAffine3::IDENTITY, Map::affine);
             if !world.is_finite() {
-                return Err(Flaw(format!("nodes[{number}] has no finite place")));
+                return Err(Flaw(format!("the position of nodes[{number}] is not finite")));
             }
             placed.push(Placed { number: number as u32, node, world });
             let children = node.children.iter().flatten().rev();
@@ -128,7 +128,7 @@ impl WithMesh {
         match name {
             NodeName::Number(number) => match self.numbered.get(number) {
                 Some(at) => Ok(self.all[*at]),
-                None => Err(Flaw(format!("there is no node {number} with a mesh in the file's scene"))),
+                None => Err(Flaw(format!("the scene of the file has no node {number} with a mesh"))),
             },
             NodeName::Name(name) => match self.named.get(name).map_or(&[][..], Vec::as_slice) {
                 [at] => Ok(self.all[*at]),
@@ -136,12 +136,12 @@ impl WithMesh {
                     let mut names: Vec<&str> = self.named.keys().map(String::as_str).collect();
                     names.sort_unstable();
                     names.truncate(TOLD);
-                    Err(Flaw(format!("there is no node `{name}` with a mesh; {}", suggest(name, &names, "nodes"))))
+                    Err(Flaw(format!("the file has no node `{name}` with a mesh; {}", suggest(name, &names, "nodes"))))
                 }
                 several => {
                     let numbers: Vec<String> =
                         several.iter().take(TOLD).map(|at| self.all[*at].0.to_string()).collect();
-                    Err(Flaw(format!("several nodes have this name; choose by number: {}", numbers.join(", "))))
+                    Err(Flaw(format!("several nodes have this name; use one of the numbers {}", numbers.join(", "))))
                 }
             },
         }

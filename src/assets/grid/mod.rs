@@ -164,13 +164,13 @@ impl IndexGrid {
     fn from_volume(volume: &Volume, used: &Use, stage: &Stage) -> Result<Self, String> {
         let Bare { size, stored, little } = volume.bare;
         if size.iter().any(|count| *count < 2) {
-            return Err(format!("it has {size:?} samples, and two are needed along each side"));
+            return Err(format!("the grid has {size:?} samples, and at least two are required along each axis"));
         }
-        let count = count(size).ok_or("it has more than 2^30 samples")?;
+        let count = count(size).ok_or("the grid has more than 2^30 samples")?;
         let (found, needed) = (volume.bytes.len(), count * stored.bytes());
         if found != needed {
             return Err(format!(
-                "it has {found} bytes of samples, and {size:?} of {} bytes are {needed}",
+                "the file has {found} bytes of samples, and {size:?} samples of {} bytes require {needed}",
                 stored.bytes()
             ));
         }
@@ -178,7 +178,7 @@ impl IndexGrid {
         let (origin, cell) = match (used.corners, volume.place) {
             (Some([min, max]), _) => (min, (max - min) / steps),
             (None, Some(place)) => place,
-            (None, None) => return Err("it does not say where it is: give min and max".to_owned()),
+            (None, None) => return Err("the position of the grid is unknown: give `min` and `max`".to_owned()),
         };
         let mut samples = Vec::with_capacity(count);
         for (i, bytes) in volume.bytes.chunks_exact(stored.bytes()).enumerate() {
@@ -188,7 +188,7 @@ impl IndexGrid {
                 let (nx, ny) = (size[0] as usize, size[1] as usize);
                 let place = [i % nx, i / nx % ny, i / nx / ny];
                 return Err(format!(
-                    "the sample {place:?} (from 0) is {value}, which makes n = {n}: n must be above 0"
+                    "sample {place:?}, counted from 0, is {value} and makes n = {n}, which must be above 0"
                 ));
             }
             samples.push(n);

@@ -41,7 +41,7 @@ pub(super) fn read(bytes: &[u8], path: &Path) -> Result<Volume, SceneError> {
             // If the file has a different length, none of it is read.
             let length = std::fs::metadata(file).map_or(wanted as u64, |file| file.len());
             if samples > 0 && !volume.zipped && !skip.leaves(wanted as u64, length) {
-                let problem = format!("the file has {length} bytes, and the samples are {wanted}");
+                let problem = format!("the file has {length} bytes, and the samples require {wanted}");
                 let help = "check `sizes`, `type`, `encoding`, `line skip` and `byte skip`".to_owned();
                 return Err(wrong((name, problem, help)));
             }
@@ -52,7 +52,7 @@ pub(super) fn read(bytes: &[u8], path: &Path) -> Result<Volume, SceneError> {
     let bytes = if volume.zipped {
         unzipped(&stored[begin..], skip, wanted).map_err(|error| SceneError::Grid {
             path: path.to_owned(),
-            problem: format!("its samples cannot be unzipped: {error}"),
+            problem: format!("the samples cannot be decompressed: {error}"),
         })?
     } else {
         let mut bytes = stored.into_owned();
@@ -87,17 +87,17 @@ impl<'a> Skip<'a> {
         let (lines_text, bytes_text) = (given(&["line skip", "lineskip"]), given(&["byte skip", "byteskip"]));
         let lines = lines_text.parse().map_err(|_| {
             let problem = format!("expected a number of lines, found `{lines_text}`");
-            (lines_text, problem, "the lines before the samples, 0 or more".to_owned())
+            (lines_text, problem, "give the number of lines before the samples, 0 or more".to_owned())
         })?;
         let bytes = match bytes_text {
             "-1" if zipped => {
-                let problem = "`byte skip: -1` is for samples that are not packed".to_owned();
+                let problem = "`byte skip: -1` is valid only for uncompressed samples".to_owned();
                 return Err((bytes_text, problem, "give the number of bytes before the samples".to_owned()));
             }
             "-1" => None,
             _ => Some(bytes_text.parse().map_err(|_| {
                 let problem = format!("expected a number of bytes, found `{bytes_text}`");
-                (bytes_text, problem, "0 or more, or -1 if the samples are at the end of the file".to_owned())
+                (bytes_text, problem, "use 0 or more, or -1 if the samples are at the end of the file".to_owned())
             })?),
         };
         Ok(Self { lines, lines_text, bytes })
@@ -116,7 +116,7 @@ impl<'a> Skip<'a> {
         let mut at = 0;
         for line in 0..self.lines {
             let Some(length) = data[at..].iter().position(|byte| matches!(byte, b'\n' | b'\r')) else {
-                let problem = format!("the data has {line} lines");
+                let problem = format!("the data has only {line} lines");
                 return Err((self.lines_text, problem, String::new()));
             };
             at += length + if data[at + length..].starts_with(b"\r\n") { 2 } else { 1 };
@@ -140,14 +140,14 @@ fn data_file<'a>(name: &'a str, header: &Path) -> Result<PathBuf, Wrong<'a>> {
     let is_pattern = name.contains('%') && name.contains(' ');
     if is_list || is_pattern {
         let problem = "samples in several files are not supported".to_owned();
-        return Err((name, problem, "join them, and give the name of that one file".to_owned()));
+        return Err((name, problem, "join the files, and give the name of the result".to_owned()));
     }
     let file = header.parent().unwrap_or(Path::new("")).join(name);
     if file.is_file() {
         return Ok(file);
     }
-    let help = "a data file is found relative to the folder of its header".to_owned();
-    Err((name, format!("there is no file `{}`", file.display()), help))
+    let help = "the name of a data file is relative to the folder of its header".to_owned();
+    Err((name, format!("the file `{}` does not exist", file.display()), help))
 }
 
 /// Splits a file at the first empty line. All lines of the header end like the first, because any byte may follow the header.
@@ -181,18 +181,23 @@ impl<'a> Header<'a> {
         let magic = lines.next().unwrap_or("");
         if !magic.starts_with("NRRD000") {
             let help =
-                "a NRRD file begins with NRRD0004 or so; bare numbers have size and type in the scene".to_owned();
-            return Err((&text[..magic.len()], "this is no NRRD file".to_owned(), help));
+                "a NRRD file begins with a line such as NRRD0004; for raw numbers, set the size and type in the scene"
+                    .to_owned();
+            return Err((&text[..magic.len()], "not a NRRD file".to_owned(), help));
         }
         let mut fields = Vec::new();
         for line in lines.filter(|line| !line.starts_with('#') && !line.contains(":=")) {
             let Some((name, value)) = line.split_once(':') else {
-                return Err((line, "expected `field: value`".to_owned(), "an empty line ends the header".to_owned()));
+                return Err((
+                    line,
+                    "expected `field: value`".to_owned(),
+                    "end the header with an empty line".to_owned(),
+                ));
             };
             let name = name.trim().to_lowercase();
             if let Some((_, first)) = fields.iter().find(|(known, _): &&Field| *known == name) {
-                let help = format!("its first value is `{first}`");
-                return Err((line, format!("`{name}` is given twice"), help));
+                let help = format!("the first value is `{first}`");
+                return Err((line, format!("`{name}` is defined twice"), help));
             }
             fields.push((name, value.trim()));
         }
@@ -208,7 +213,7 @@ impl<'a> Header<'a> {
             find(&fields, names).map(|(_, value)| *value).ok_or_else(missing)
         };
         if let Some((_, dimension)) = find(&fields, &["dimension"]).filter(|(_, value)| *value != "3") {
-            return Err((dimension, "only volumes of three dimensions can be used".to_owned(), String::new()));
+            return Err((dimension, "only three-dimensional volumes are supported".to_owned(), String::new()));
         }
         let size = size(required(&["sizes"], "64 64 64")?)?;
         let stored = stored(required(&["type"], "float")?)?;
@@ -217,7 +222,9 @@ impl<'a> Header<'a> {
         let little = match find(&fields, &["endian"]) {
             Some((_, "little")) => true,
             Some((_, "big")) => false,
-            Some((_, other)) => return Err((other, format!("unknown endian `{other}`"), "little or big".to_owned())),
+            Some((_, other)) => {
+                return Err((other, format!("unknown endianness `{other}`"), "use little or big".to_owned()));
+            }
             None if stored.bytes() == 1 => true,
             None => required(&["endian"], "little").map(|_| true)?,
         };
@@ -242,7 +249,13 @@ fn find<'f, 'a>(fields: &'f [Field<'a>], names: &[&str]) -> Option<&'f Field<'a>
 
 fn size(value: &str) -> Result<[u32; 3], Wrong<'_>> {
     let sizes: Option<Vec<u32>> = value.split_whitespace().map(|word| word.parse().ok()).collect();
-    let wrong = || (value, "expected three sizes".to_owned(), "samples along x, y and z, as in 64 64 64".to_owned());
+    let wrong = || {
+        (
+            value,
+            "expected three sizes".to_owned(),
+            "give the number of samples along x, y and z, such as 64 64 64".to_owned(),
+        )
+    };
     sizes.and_then(|sizes| sizes.try_into().ok()).ok_or_else(wrong)
 }
 
@@ -277,7 +290,7 @@ fn place<'a>(fields: &[Field<'a>]) -> Result<Option<(DVec3, DVec3)>, Wrong<'a>> 
     let cell = match (find(fields, &["space directions"]), find(fields, &["spacings"])) {
         (Some((_, value)), _) => diagonal(value)?,
         (None, Some((_, value))) => {
-            let help = "above 0, along x, y and z, as in 0.1 0.1 0.1";
+            let help = "use numbers above 0 along x, y and z, such as 0.1 0.1 0.1";
             let spacings = value.split_whitespace().map(|word| word.parse().ok()).collect::<Option<Vec<f64>>>();
             spacings
                 .and_then(three)
@@ -287,9 +300,8 @@ fn place<'a>(fields: &[Field<'a>]) -> Result<Option<(DVec3, DVec3)>, Wrong<'a>> 
         (None, None) => return Ok(None),
     };
     let origin = match find(fields, &["space origin"]) {
-        Some((_, value)) => {
-            vector(value).ok_or_else(|| (*value, "expected a place".to_owned(), "as in (0, 0, 0)".to_owned()))?
-        }
+        Some((_, value)) => vector(value)
+            .ok_or_else(|| (*value, "expected a position".to_owned(), "for example (0, 0, 0)".to_owned()))?,
         None => DVec3::ZERO,
     };
     Ok(Some((origin, cell)))
@@ -297,14 +309,14 @@ fn place<'a>(fields: &[Field<'a>]) -> Result<Option<(DVec3, DVec3)>, Wrong<'a>> 
 
 /// Parses `(a, 0, 0) (0, b, 0) (0, 0, c)` as (a, b, c).
 fn diagonal(value: &str) -> Result<DVec3, Wrong<'_>> {
-    let wrong = |problem: &str| (value, problem.to_owned(), "as in (0.1,0,0) (0,0.1,0) (0,0,0.1)".to_owned());
+    let wrong = |problem: &str| (value, problem.to_owned(), "for example (0.1,0,0) (0,0.1,0) (0,0,0.1)".to_owned());
     let vectors: Option<Vec<DVec3>> = value.split_inclusive(')').map(vector).collect();
     let Some(Ok([x, y, z])) = vectors.map(<[DVec3; 3]>::try_from) else {
         return Err(wrong("expected three directions"));
     };
     let cell = DVec3::new(x.x, y.y, z.z);
     if [x, y, z] != [cell * DVec3::X, cell * DVec3::Y, cell * DVec3::Z] || cell.min_element() <= 0.0 {
-        return Err(wrong("only directions along x, y and z, in this order, can be used"));
+        return Err(wrong("the directions must be along x, y and z, in this order"));
     }
     Ok(cell)
 }

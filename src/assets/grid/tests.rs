@@ -135,7 +135,9 @@ fn samples_may_follow_lines_and_bytes_that_are_none() {
     {
         let error = load(&format!("{HEADER}{fields}\n"), &after(&vec![0; front]), &AS_IT_IS).unwrap_err().to_string();
         assert!(
-            error.contains(&format!("it has {found} bytes of samples, and [2, 3, 2] of 4 bytes are 48")),
+            error.contains(&format!(
+                "the file has {found} bytes of samples, and [2, 3, 2] samples of 4 bytes require 48"
+            )),
             "{error}"
         );
     }
@@ -166,36 +168,36 @@ fn bare_numbers_need_what_the_scene_says() {
 fn mistakes_have_their_line() {
     let mark = |from: &str, to: &str| HEADER.replace(from, to);
     for (marked, problem) in [
-        ("«P5»\n2 2\n".to_owned(), "this is no NRRD file"),
+        ("«P5»\n2 2\n".to_owned(), "not a NRRD file"),
         (mark("# made by hand", "«made by hand»"), "expected `field: value`"),
         (mark("type: float", "type: «block»"), "samples of type `block` are not supported"),
-        (mark("dimension: 3", "dimension: «2»"), "three dimensions"),
+        (mark("dimension: 3", "dimension: «2»"), "three-dimensional volumes"),
         (mark("sizes: 2 3 2", "sizes: «2 3»"), "expected three sizes"),
         (mark("sizes: 2 3 2", "sizes: «2 -3 2»"), "expected three sizes"),
         (mark("encoding: raw", "encoding: «bzip2»"), "the encoding `bzip2` is not supported"),
-        (mark("endian: little", "endian: «middle»"), "unknown endian"),
+        (mark("endian: little", "endian: «middle»"), "unknown endianness"),
         (mark("NRRD0004", "«NRRD0004»").replace("endian: little\n", ""), "the header has no `endian`"),
         (mark("NRRD0004", "«NRRD0004»").replace("sizes: 2 3 2\n", ""), "the header has no `sizes`"),
-        (mark("spacings: 0.5 1 2", "spacings: 0.5 1 2\n«Sizes: 2 3 2»"), "`sizes` is given twice"),
+        (mark("spacings: 0.5 1 2", "spacings: 0.5 1 2\n«Sizes: 2 3 2»"), "`sizes` is defined twice"),
         (mark("spacings: 0.5 1 2", "spacings: «0.5 nan 2»"), "expected three spacings"),
         (mark("spacings: 0.5 1 2", "spacings: «0.5 0 2»"), "expected three spacings"),
         (
             mark("spacings: 0.5 1 2", "space directions: «(1,0,0) (0,1,0.1) (0,0,1)»"),
-            "only directions along x, y and z",
+            "the directions must be along x, y and z",
         ),
         (mark("spacings: 0.5 1 2", "space directions: «none (0,1,0) (0,0,1)»"), "expected three directions"),
-        (mark("content: a: b", "space origin: «0 0 0»"), "expected a place"),
+        (mark("content: a: b", "space origin: «0 0 0»"), "expected a position"),
         (mark("content: a: b", "data file: «LIST»"), "samples in several files are not supported"),
         (mark("content: a: b", "data file: «LIST 2»"), "samples in several files are not supported"),
         (mark("content: a: b", "datafile: «a%03d.raw 1 10 1»"), "samples in several files are not supported"),
-        (mark("content: a: b", "data file: «b.raw»"), "there is no file"),
+        (mark("content: a: b", "data file: «b.raw»"), "does not exist"),
         // The file is the header itself, which has a different length.
         (mark("content: a: b", "data file: «a.nrrd»"), "the file has "),
         (mark("content: a: b", "byte skip: «-2»"), "expected a number of bytes, found `-2`"),
         (mark("content: a: b", "byte skip: «1.5»"), "expected a number of bytes, found `1.5`"),
         (mark("content: a: b", "line skip: «-1»"), "expected a number of lines, found `-1`"),
-        (mark("content: a: b", "line skip: «2»"), "the data has 0 lines"),
-        (mark("content: a: b", "byteskip: «-1»").replace("raw", "gzip"), "is for samples that are not packed"),
+        (mark("content: a: b", "line skip: «2»"), "the data has only 0 lines"),
+        (mark("content: a: b", "byteskip: «-1»").replace("raw", "gzip"), "is valid only for uncompressed samples"),
     ] {
         let start = marked.find('«').unwrap();
         let end = marked.find('»').unwrap() - '«'.len_utf8();
@@ -218,17 +220,25 @@ fn samples_that_cannot_be_used_are_refused() {
         all
     };
     for (header, data, problem) in [
-        (HEADER.to_owned(), data[..40].to_vec(), "it has 40 bytes of samples, and [2, 3, 2] of 4 bytes are 48"),
+        (
+            HEADER.to_owned(),
+            data[..40].to_vec(),
+            "the file has 40 bytes of samples, and [2, 3, 2] samples of 4 bytes require 48",
+        ),
         (
             HEADER.to_owned(),
             with(9, -2.0),
-            "the sample [1, 1, 1] (from 0) is -2, which makes n = -2: n must be above 0",
+            "sample [1, 1, 1], counted from 0, is -2 and makes n = -2, which must be above 0",
         ),
-        (HEADER.to_owned(), with(4, f32::NAN), "the sample [0, 2, 0] (from 0) is NaN"),
-        (HEADER.replace("2 3 2", "1 6 2"), data.clone(), "two are needed along each side"),
+        (HEADER.to_owned(), with(4, f32::NAN), "sample [0, 2, 0], counted from 0, is NaN"),
+        (HEADER.replace("2 3 2", "1 6 2"), data.clone(), "at least two are required along each axis"),
         (HEADER.replace("2 3 2", "4294967295 4294967295 4294967295"), data.clone(), "more than 2^30 samples"),
-        (HEADER.replace("spacings: 0.5 1 2\n", ""), data.clone(), "it does not say where it is: give min and max"),
-        (HEADER.replace("raw", "gzip"), data.clone(), "its samples cannot be unzipped"),
+        (
+            HEADER.replace("spacings: 0.5 1 2\n", ""),
+            data.clone(),
+            "the position of the grid is unknown: give `min` and `max`",
+        ),
+        (HEADER.replace("raw", "gzip"), data.clone(), "the samples cannot be decompressed"),
     ] {
         let error = load(&format!("{header}\n"), &data, &AS_IT_IS).unwrap_err().to_string();
         assert!(error.contains(problem) && error.contains("a.nrrd"), "{error}");

@@ -34,7 +34,7 @@ impl<'a> Bytes<'a> {
 
     /// Takes the next `count` bytes.
     pub fn take_some(&mut self, count: usize) -> Result<&'a [u8], Flaw> {
-        let short = || Flaw::at(self.at, &format!("the file ends; {count} more bytes were expected"));
+        let short = || Flaw::at(self.at, &format!("unexpected end of file, expected {count} more bytes"));
         let bytes = self.rest().get(..count).ok_or_else(short)?;
         self.at += count;
         Ok(bytes)

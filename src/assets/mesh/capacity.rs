@@ -44,7 +44,8 @@ impl Capacity {
         let Some(asked) = self.0.as_ref().filter(|asked| triangles > asked.always) else { return Ok(()) };
         match asked.answer.get_or_init(|| (asked.ask)()) {
             Some(Held { device, triangles: most }) if triangles > *most => Err(Flaw(format!(
-                "it has {triangles} triangles or more, and {device} holds at most {most}: use a coarser mesh, or another device"
+                "the mesh has {triangles} or more triangles, and {device} supports at most {most}; use a coarser \
+                 mesh, or another device"
             ))),
             _ => Ok(()),
         }

@@ -37,7 +37,8 @@ impl Colors {
         if !color.iter().all(|x| (-ROUNDING..=1.0 + ROUNDING).contains(x)) {
             let [red, green, blue] = color;
             self.reject(format!(
-                "vertex {position} (from 0) has the color [{red}, {green}, {blue}], and components are from 0 to 1"
+                "vertex {position}, counted from 0, has the color [{red}, {green}, {blue}], outside the range from 0 \
+                 to 1"
             ));
         }
         self.linear.resize(position, Vec3::ONE);

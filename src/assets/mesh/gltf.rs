@@ -109,7 +109,8 @@ impl Gltf {
     fn mesh_of(&self, node: u32) -> Result<(usize, &gltf_json::Mesh), Flaw> {
         let index = self.root.nodes[node as usize].mesh;
         let (at, mesh) = index.map_or((0, None), |index| (index.value(), self.root.get(index)));
-        mesh.map(|mesh| (at, mesh)).ok_or_else(|| Flaw(format!("nodes[{node}]: there is no meshes[{at}]")))
+        mesh.map(|mesh| (at, mesh))
+            .ok_or_else(|| Flaw(format!("nodes[{node}] refers to meshes[{at}], which does not exist")))
     }
 
     /// Returns the indices of the requested primitives of a node's mesh.
@@ -145,11 +146,12 @@ impl Gltf {
             corners = corners.saturating_add(own);
             triangles = triangles.saturating_add(triangles_of(mode(primitive, of)?, own));
         }
-        for (all, what) in [(vertices, "vertices"), (corners, "corners of triangles")] {
+        for (all, what) in [(vertices, "vertices"), (corners, "triangle corners")] {
             if all > MOST {
-                let problem = "as often as its nodes and meshes show them, and at most";
+                let problem = "counting each instance, and the limit is";
                 return Err(Flaw(format!(
-                    "it is of {all} {what}, {problem} {MOST} are read: make an object of each node, as `bentray import` does, or several files"
+                    "the file has {all} {what}, {problem} {MOST}; use one object per node, as `bentray import` does, \
+                     or several files"
                 )));
             }
         }
@@ -159,8 +161,8 @@ impl Gltf {
     fn primitive(&self, raw: &mut Raw, primitive: &Primitive, world: DAffine3, of: &str) -> Result<(), Flaw> {
         let mode = mode(primitive, of)?;
         let left_out = match mode {
-            Mode::Points => Some("primitives of points"),
-            Mode::Lines | Mode::LineLoop | Mode::LineStrip => Some("primitives of lines"),
+            Mode::Points => Some("point primitives"),
+            Mode::Lines | Mode::LineLoop | Mode::LineStrip => Some("line primitives"),
             Mode::Triangles | Mode::TriangleStrip | Mode::TriangleFan => None,
         };
         if let Some(kind) = left_out {
@@ -176,7 +178,9 @@ impl Gltf {
         for i in 0..count {
             let position = world.transform_point3(Vec3::from(positions.numbers(i)).as_dvec3());
             if !position.to_array().into_iter().all(usable) {
-                return Err(Flaw(format!("{of}: vertex {i} is at {position}; numbers are finite, to 1e30")));
+                return Err(Flaw(format!(
+                    "{of}: vertex {i} is at {position}; numbers must be finite, up to 1e30 in magnitude"
+                )));
             }
             raw.positions.push(position);
         }
@@ -288,7 +292,7 @@ fn triangles_of(mode: Mode, corners: u64) -> u64 {
 fn mode(primitive: &Primitive, of: &str) -> Result<Mode, Flaw> {
     match &primitive.mode {
         Valid(mode) => Ok(*mode),
-        Invalid => Err(Flaw(format!("{of} has a `mode` that there is not"))),
+        Invalid => Err(Flaw(format!("{of} has an invalid `mode`"))),
     }
 }
 

@@ -167,7 +167,7 @@ impl Opened {
         let end = path.extension().map(|end| end.to_string_lossy().to_lowercase()).unwrap_or_default();
         let Some(format) = FORMATS.iter().find(|format| format.extensions.contains(&end.as_str())) else {
             let known: Vec<String> = FORMATS.iter().flat_map(|f| f.extensions).map(|end| format!(".{end}")).collect();
-            let problem = format!("meshes are files whose names end in {}", known.join(", "));
+            let problem = format!("the name of a mesh file must end in {}", known.join(", "));
             return Err(SceneError::Mesh { path: path.to_owned(), problem });
         };
         let bytes = read_bytes(path)?;
@@ -190,7 +190,7 @@ impl Opened {
         match self {
             Self::Whole(_) if *part == Part::default() => Ok((Source::Placed(part.clone()), DAffine3::IDENTITY)),
             Self::Whole(_) => {
-                let problem = "it has no nodes: leave `node` and `primitive` out".to_owned();
+                let problem = "this format has no nodes: remove `node` and `primitive`".to_owned();
                 Err(SceneError::Mesh { path: path.to_owned(), problem })
             }
             Self::Parts(parts) => parts.find(part),

@@ -156,11 +156,11 @@ impl Loader {
             return Ok(());
         }
         if word == "call" {
-            let help = "put the lines of the other file here".to_owned();
+            let help = "insert the lines of the other file here".to_owned();
             return Err((word, "`call` reads another file, which is not supported".to_owned(), help));
         }
         let help = suggest(word, &["v", "vt", "vn", "f", "g", "o", "s", "usemtl", "mtllib"], "statements");
-        Err((word, format!("`{word}` is not a statement of OBJ"), help))
+        Err((word, format!("`{word}` is not an OBJ statement"), help))
     }
 
     /// Parses `position/texture/normal`, the last two optional; indices count from 1, or backward from the last value if negative.
@@ -178,8 +178,8 @@ impl Loader {
                 Some(index) => Ok(Some(index as u32)),
                 None => Err((
                     word,
-                    format!("there is no {what} `{text}`"),
-                    format!("{count} stand above this line, counted from 1"),
+                    format!("{what} `{text}` does not exist"),
+                    format!("{count} are defined above this line, counted from 1"),
                 )),
             }
         };
@@ -188,7 +188,7 @@ impl Loader {
         let position = index(next(), self.raw.positions.len(), "vertex")?;
         let uv = index(next(), self.raw.uvs.len(), "texture coordinate")?;
         let normal = index(next(), self.raw.normals.len(), "normal")?;
-        let missing = || (word, "a corner needs a vertex".to_owned(), String::new());
+        let missing = || (word, "a corner requires a vertex".to_owned(), String::new());
         Ok(Corner::new(position.ok_or_else(missing)?, uv, normal))
     }
 }

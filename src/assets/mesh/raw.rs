@@ -55,7 +55,7 @@ pub(super) const MOST_CORNERS: usize = 10_000;
 
 /// Returns the problem of a face with this number of corners, and the remedy.
 pub(super) fn too_many(corners: usize) -> (String, String) {
-    (format!("a face of {corners} corners"), format!("at most {MOST_CORNERS} are cut to triangles: use smaller faces"))
+    (format!("a face has {corners} corners"), format!("at most {MOST_CORNERS} are supported: use smaller faces"))
 }
 
 /// The index for values that the file does not have.

@@ -39,7 +39,7 @@ fn read(bytes: &[u8], path: &Path, reading: Reading) -> Result<Raw, SceneError> 
         None => {
             let found = bytes.len();
             let problem =
-                format!("it does not begin with `solid`, and has {found} bytes of the {HEADER} that a header has");
+                format!("the file does not begin with `solid`, and has only {found} of the {HEADER} bytes of a header");
             Err(Flaw(problem).of(path))
         }
     }
@@ -51,7 +51,7 @@ fn binary(bytes: &[u8], count: u32, reading: Reading) -> Result<Raw, Flaw> {
     // A count smaller than the data would drop the rest of the mesh.
     if count as usize != fit {
         let problem =
-            format!("the header says {count} triangles of {TRIANGLE} bytes, and {} bytes follow", bytes.left());
+            format!("the header declares {count} triangles of {TRIANGLE} bytes, and {} bytes follow", bytes.left());
         return Err(Flaw::at(HEADER - 4, &problem));
     }
     reading.capacity.check(count.into())?;
@@ -66,7 +66,10 @@ fn binary(bytes: &[u8], count: u32, reading: Reading) -> Result<Raw, Flaw> {
                 *value = f32::from_le_bytes(bytes.take()?);
             }
             if !point.into_iter().all(usable) {
-                return Err(Flaw::at(at, &format!("a corner is {point:?}; numbers are finite, to 1e30")));
+                return Err(Flaw::at(
+                    at,
+                    &format!("a corner is at {point:?}; numbers must be finite, up to 1e30 in magnitude"),
+                ));
             }
             raw.positions.push(Vec3::from_array(point).as_dvec3());
         }
@@ -93,10 +96,13 @@ fn lines(text: &str, path: &Path, reading: Reading) -> Result<Raw, SceneError> {
         reading.capacity.check(raw.triangles().len() as u64).map_err(|flaw| flaw.of(path))?;
     }
     if corners > 0 && !mistakes.are_enough() {
-        let problem = "the file ends within a loop".to_owned();
-        mistakes.add((&text[text.len()..], problem, "`endloop` closes it".to_owned()));
+        let problem = "the file ends inside a loop".to_owned();
+        mistakes.add((&text[text.len()..], problem, "end the loop with `endloop`".to_owned()));
     }
-    mistakes.or(raw, "a face is `facet`, `outer loop`, three lines such as `vertex 0 0 1`, `endloop` and `endfacet`")
+    mistakes.or(
+        raw,
+        "a face consists of `facet`, `outer loop`, three lines such as `vertex 0 0 1`, `endloop` and `endfacet`",
+    )
 }
 
 /// Reads one line; `corners` is the number of corners of the current loop.
@@ -110,17 +116,17 @@ fn statement<'a>(raw: &mut Raw, corners: &mut usize, line: &[&'a str]) -> Result
         return point.map(|_| ());
     }
     if !KNOWN.iter().any(|known| first.eq_ignore_ascii_case(known)) {
-        let help = format!("lines begin with {}, vertex", KNOWN.join(", "));
-        return Err((first, format!("unknown word `{first}`"), help));
+        let help = format!("valid lines begin with {}, vertex", KNOWN.join(", "));
+        return Err((first, format!("unknown keyword `{first}`"), help));
     }
     if !first.eq_ignore_ascii_case("endloop") && *corners > 0 {
         *corners = 0;
-        return Err((first, format!("`{first}` within a loop"), "`endloop` closes it".to_owned()));
+        return Err((first, format!("`{first}` inside a loop"), "end the loop with `endloop`".to_owned()));
     }
     if first.eq_ignore_ascii_case("endloop") {
         let count = std::mem::take(corners);
         if count < 3 {
-            return Err((first, format!("a loop of {count} vertices"), "a face has three".to_owned()));
+            return Err((first, format!("a loop has {count} vertices"), "a face requires three".to_owned()));
         }
         if count > MOST_CORNERS {
             let (problem, help) = too_many(count);

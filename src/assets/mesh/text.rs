@@ -70,7 +70,11 @@ pub(super) const LARGEST: f32 = 1e30;
 pub(super) fn number(word: &str) -> Result<f64, Wrong<'_>> {
     match word.parse::<f64>() {
         Ok(number) if (number as f32).abs() <= LARGEST => Ok(number),
-        _ => Err((word, format!("expected a number, found `{word}`"), "numbers are finite, to 1e30".to_owned())),
+        _ => Err((
+            word,
+            format!("expected a number, found `{word}`"),
+            "numbers must be finite, up to 1e30 in magnitude".to_owned(),
+        )),
     }
 }
 
@@ -79,7 +83,7 @@ pub(super) fn numbers<'a, const N: usize>(words: &[&'a str]) -> Result<[f64; N],
     let mut values = [0.0; N];
     for (i, value) in values.iter_mut().enumerate() {
         let Some(word) = words.get(i + 1) else {
-            let problem = format!("`{}` needs {N} numbers, found {i}", words[0]);
+            let problem = format!("`{}` requires {N} numbers, found {i}", words[0]);
             return Err((words[0], problem, String::new()));
         };
         *value = number(word)?;

@@ -16,12 +16,12 @@ pub(super) fn broken(error: &(dyn Error + 'static)) -> String {
     if CUT.iter().any(|words| text.contains(words)) {
         "the file ends early".to_owned()
     } else if causes.iter().any(is_outside) {
-        "it is broken: it refers to bytes outside of the file".to_owned()
+        "the file is damaged: it refers to bytes outside of the file".to_owned()
     } else {
         let text = without_structs(text.trim_start_matches("invalid: "));
         // The name of an error in the decoder's code follows the first sentence.
         let first = text.split(". ").next().unwrap_or_default();
-        format!("it is broken: {}", first.trim_end_matches('.'))
+        format!("the file is damaged: {}", first.trim_end_matches('.'))
     }
 }
 

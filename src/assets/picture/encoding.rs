@@ -43,14 +43,14 @@ impl Encoding {
     /// Reads an ICC profile, which is applied if it consists of curves and a matrix.
     pub fn of_profile(bytes: &[u8]) -> Self {
         Self::of_matrix_profile(bytes).unwrap_or_else(|why| {
-            Self::unapplied(format!("its ICC profile is not applied, because {why}: convert the picture to sRGB"))
+            Self::unapplied(format!("the ICC profile is ignored, because {why}: convert the image to sRGB"))
         })
     }
 
     fn of_matrix_profile(bytes: &[u8]) -> Result<Self, String> {
         let profile = ColorProfile::new_from_slice(bytes).map_err(|error| format!("it cannot be read ({error})"))?;
         if profile.pcs != DataColorSpace::Xyz {
-            return Err("it has tables in place of a matrix".to_owned());
+            return Err("it has tables instead of a matrix".to_owned());
         }
         let (curves, to_xyz) = match profile.color_space {
             DataColorSpace::Rgb => ([&profile.red_trc, &profile.green_trc, &profile.blue_trc], {
@@ -73,7 +73,7 @@ impl Encoding {
             _ => profile_to_rec709().map(|from_xyz| from_xyz * to_xyz),
         };
         let to_rec709 = to_rec709.filter(|matrix| matrix.is_finite() && matrix.determinant().abs() > 1e-6);
-        let to_rec709 = to_rec709.ok_or("its colors span no color space")?;
+        let to_rec709 = to_rec709.ok_or("its colors do not span a color space")?;
         Ok(Self { curves: [red, green, blue], to_rec709: near_identity(to_rec709), notes: Vec::new() })
     }
 
@@ -116,14 +116,15 @@ pub(super) fn convert(pixels: &mut [[f32; 3]], to_rec709: DMat3) -> Option<Strin
     let share = 100.0 * outside as f64 / count.max(1) as f64;
     (outside > 0).then(|| {
         format!(
-            "{outside} of its {count} pixels ({share:.2} %) have colors outside of Rec. 709: their negative parts are 0"
+            "{outside} of its {count} pixels ({share:.2} %) have colors outside of Rec. 709, whose negative \
+             components are set to 0"
         )
     })
 }
 
 /// Returns the matrix of the primaries in a file, or a note that they are not applied.
 pub(super) fn matrix_of(primaries: Primaries, named: &str) -> Result<DMat3, String> {
-    primaries.to_rec709().ok_or_else(|| format!("its {named} are not applied, because they span no color space"))
+    primaries.to_rec709().ok_or_else(|| format!("the {named} are ignored, because they do not span a color space"))
 }
 
 /// Decodes sRGB according to IEC 61966-2-1.

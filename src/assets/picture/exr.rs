@@ -34,7 +34,7 @@ enum Channels {
 /// Reads the width and height from a file's header.
 pub(super) fn size(path: &Path) -> Result<[u32; 2], String> {
     let meta = meta(path)?;
-    let size = display_window(meta.headers.first().ok_or("it has no header")?).size;
+    let size = display_window(meta.headers.first().ok_or("the file has no header")?).size;
     Ok([size.width() as u32, size.height() as u32])
 }
 
@@ -44,7 +44,7 @@ pub(super) fn read_file(path: &Path, bytes: u64, stage: &Stage) -> Result<Decode
     if let Some(problem) = headers.iter().find_map(|header| unlikely(header, bytes)) {
         return Err(problem);
     }
-    let header = headers.first().ok_or("it has no header")?;
+    let header = headers.first().ok_or("the file has no header")?;
     let window = display_window(header);
     let progress = |done: f64| stage.reach(done * bytes as f64);
     let mut pixels = match channels(&headers)? {
@@ -128,7 +128,7 @@ fn refusal(headers: &[Header]) -> String {
     /// The largest number of names in the message.
     const LISTED: usize = 24;
     if headers.iter().all(|header| header.deep) {
-        return "it is a deep image: flatten it first".to_owned();
+        return "deep images are not supported: flatten the image first".to_owned();
     }
     let all = || headers.iter().filter(|header| !header.deep).flat_map(|header| &header.channels.list);
     let mut names: Vec<String> = all().take(LISTED).map(|channel| format!("`{}`", channel.name)).collect();
@@ -140,13 +140,13 @@ fn refusal(headers: &[Header]) -> String {
         ["RY", "BY"].iter().any(|end| name == *end || name.ends_with(&format!(".{end}")))
     };
     let why = if all().any(is_chroma) {
-        "luminance with chroma (`Y`, `RY`, `BY`) is not read: save it as `R`, `G` and `B`"
+        "luminance-chroma channels (`Y`, `RY`, `BY`) are not supported: save the image as `R`, `G` and `B`"
     } else if all().any(|channel| channel.sampling != Vec2(1, 1)) {
-        "channels with fewer samples than pixels are not read: save it without subsampling"
+        "subsampled channels are not supported: save the image without subsampling"
     } else {
-        "expected `R`, `G` and `B`, or `Y` alone; or one layer that has them, or one that is called `Combined`"
+        "expected `R`, `G` and `B`, or `Y` alone, at the top level, in a single layer, or in a layer called `Combined`"
     };
-    format!("its channels are {}; {why}", names.join(", "))
+    format!("the channels are {}; {why}", names.join(", "))
 }
 
 /// Returns the index in the display window of a pixel of the data window.
@@ -214,7 +214,8 @@ pub(crate) fn unlikely(header: &Header, bytes: u64) -> Option<String> {
     let all = width.saturating_mul(height).saturating_mul(each);
     let problem = || {
         format!(
-            "its header says a layer of {width}×{height} pixels of {each} bytes, which its {bytes} bytes cannot hold"
+            "the header declares a layer of {width}×{height} pixels of {each} bytes, which do not fit into the \
+             {bytes} bytes of the file"
         )
     };
     (all / DENSEST_EXR > bytes).then(problem)

@@ -50,7 +50,7 @@ pub(super) fn read(path: &Path, stage: &Stage) -> Result<Decoded, String> {
     let mut behind = Vec::new();
     rest.take(LONGEST).read_to_end(&mut behind).map_err(|error| broken(&error))?;
     if !are_padding(&behind) {
-        notes.push(format!("its header says {} rows, and what is behind them is not read", size[1]));
+        notes.push(format!("the header declares {} rows, and the data after them is ignored", size[1]));
     }
     Ok(Decoded { pixels, notes })
 }
@@ -67,7 +67,7 @@ fn header(reader: &mut impl BufRead) -> Result<Header, String> {
         let mut bytes = Vec::new();
         lines.read_until(b'\n', &mut bytes).map_err(|error| broken(&error))?;
         if bytes.pop() != Some(b'\n') {
-            return Err("its header has no end".to_owned());
+            return Err("the header has no end".to_owned());
         }
         Ok(String::from_utf8_lossy(&bytes).trim_end().to_owned())
     };
@@ -82,7 +82,9 @@ fn header(reader: &mut impl BufRead) -> Result<Header, String> {
         match key.trim_end() {
             "FORMAT" if value.trim() != "32-bit_rle_rgbe" => {
                 let format = value.trim();
-                return Err(format!("its FORMAT is {format}; 32-bit_rle_rgbe is read (`ra_xyze -r` converts XYZE)"));
+                return Err(format!(
+                    "the FORMAT {format} is not supported; use 32-bit_rle_rgbe (`ra_xyze -r` converts XYZE)"
+                ));
             }
             "EXPOSURE" => match numbers(value) {
                 Some([exposure]) if is_factor(exposure) => scale *= exposure,
@@ -103,7 +105,7 @@ fn header(reader: &mut impl BufRead) -> Result<Header, String> {
     let to_rec709 = matrix_of(primaries.unwrap_or(Primaries::REC709), "PRIMARIES");
     notes.extend(to_rec709.as_ref().err().cloned());
     if !(scale.is_finite() && scale.recip().is_finite()) {
-        return Err("the product of its EXPOSURE and COLORCORR is out of range".to_owned());
+        return Err("the product of EXPOSURE and COLORCORR is out of range".to_owned());
     }
     Ok(Header { size, scale, to_rec709: to_rec709.unwrap_or_default(), notes })
 }
@@ -113,7 +115,7 @@ fn is_factor(x: f64) -> bool {
 }
 
 fn unapplied(line: &str, expected: &str) -> String {
-    format!("`{line}` of its header is not applied: expected {expected}")
+    format!("the header line `{line}` is ignored: expected {expected}")
 }
 
 /// Parses exactly `N` numbers.
@@ -126,11 +128,11 @@ fn numbers<const N: usize>(value: &str) -> Option<[f64; N]> {
 fn resolution(line: &str) -> Result<[u32; 2], String> {
     let words: Vec<&str> = line.split_whitespace().collect();
     let [y, height, x, width] = words[..] else {
-        return Err(format!("expected `-Y HEIGHT +X WIDTH` behind its header, found `{line}`"));
+        return Err(format!("expected `-Y HEIGHT +X WIDTH` after the header, found `{line}`"));
     };
     if [y, x] != ["-Y", "+X"] {
-        return Err(format!("its rows and columns run as `{line}`; only `-Y HEIGHT +X WIDTH` is read: turn it first"));
+        return Err(format!("the orientation `{line}` is not supported: rotate the image to `-Y HEIGHT +X WIDTH`"));
     }
-    let number = |word: &str| word.parse().map_err(|_| format!("`{word}` in `{line}` is no number of pixels"));
+    let number = |word: &str| word.parse().map_err(|_| format!("`{word}` in `{line}` is not a valid number of pixels"));
     Ok([number(width)?, number(height)?])
 }

@@ -59,8 +59,7 @@ impl Picture {
         let unreadable = |source| SceneError::Read { path: path.to_owned(), source };
         let unusable = |problem: String| SceneError::Picture { path: path.to_owned(), problem };
         let bytes = std::fs::metadata(path).map_err(unreadable)?.len();
-        let other =
-            |kind| unusable(format!("it is {kind}; PNG, JPEG, EXR and HDR are read: convert it to one of them"));
+        let other = |kind| unusable(format!("the image is {kind}: convert it to PNG, JPEG, EXR or HDR"));
         let format = Format::of(&Self::start(path).map_err(unreadable)?).map_err(other)?;
         let size = format.size(path).map_err(unusable)?;
         if let Some(problem) = unlikely(size, bytes) {
@@ -70,7 +69,7 @@ impl Picture {
         let broken = |pixel: &[f32; 3]| pixel.iter().any(|x| !x.is_finite());
         if let Some(index) = pixels.iter().position(broken) {
             let (x, y) = (index % size[0] as usize, index / size[0] as usize);
-            return Err(unusable(format!("the pixel in column {x}, row {y} (from 0, top left) is not finite")));
+            return Err(unusable(format!("the pixel in column {x}, row {y} (counted from 0, top left) is not finite")));
         }
         Ok(Self { size, pixels: Arc::new(pixels), name: path.display().to_string(), notes })
     }
@@ -185,9 +184,9 @@ fn kind(start: &[u8]) -> String {
         _ if start.starts_with(b"8BPS") => "PSD".to_owned(),
         Ok(ImageFormat::WebP) => "WebP".to_owned(),
         Ok(format) => format.extensions_str().first().map_or_else(String::new, |name| name.to_uppercase()),
-        Err(_) => return "of no known format".to_owned(),
+        Err(_) => return "in an unknown format".to_owned(),
     };
-    format!("of the format {name}")
+    format!("in the format {name}")
 }
 
 /// Reads the ICC profile of a JPEG, which is its only color information.
@@ -207,11 +206,15 @@ const DENSEST: u64 = 4096;
 fn unlikely([width, height]: [u32; 2], bytes: u64) -> Option<String> {
     let pixels = u64::from(width) * u64::from(height);
     if pixels == 0 {
-        Some("it has no pixels".to_owned())
+        Some("the image has no pixels".to_owned())
     } else if pixels / DENSEST > bytes {
-        Some(format!("its header says {width}×{height} pixels, which its {bytes} bytes cannot hold"))
+        Some(format!(
+            "the header declares {width}×{height} pixels, which do not fit into the {bytes} bytes of the file"
+        ))
     } else if pixels > MOST_PIXELS {
-        Some(format!("it has {width}×{height} pixels, {pixels}, and at most {MOST_PIXELS} are read: make it smaller"))
+        Some(format!(
+            "the image has {width}×{height} = {pixels} pixels, and at most {MOST_PIXELS} are supported: reduce its size"
+        ))
     } else {
         None
     }

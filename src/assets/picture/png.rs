@@ -27,7 +27,7 @@ pub(super) fn encoding(path: &Path) -> Result<Encoding, String> {
         (b"cHRM", info.chrm_chunk.is_some()),
     ] {
         if !is_read && there.contains(name) {
-            encoding.notes.push(format!("its {} chunk is malformed and not applied", String::from_utf8_lossy(name)));
+            encoding.notes.push(format!("the {} chunk is malformed and ignored", String::from_utf8_lossy(name)));
         }
     }
     Ok(encoding)
@@ -95,7 +95,7 @@ fn of_points(points: CodingIndependentCodePoints) -> Encoding {
     match (primaries.and_then(Primaries::to_rec709), curve) {
         (Some(to_rec709), Some(curve)) if is_full => Encoding::new(curve, to_rec709),
         _ => Encoding::unapplied(format!(
-            "its code points (cICP {}, {}, {}, {}) are not applied: convert the picture to sRGB",
+            "the code points (cICP {}, {}, {}, {}) are ignored: convert the image to sRGB",
             points.color_primaries,
             points.transfer_function,
             points.matrix_coefficients,

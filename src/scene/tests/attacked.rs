@@ -30,7 +30,7 @@ fn a_mesh_that_its_file_goes_on_behind_is_refused() {
     let faces = "3 0 1 2\n3 0 1 3\n";
     assert_eq!(mesh("a.ply", ply("ascii", 2) + CORNERS + faces + "\n \n"), Ok(2));
     let error = mesh("a.ply", ply("ascii", 1) + CORNERS + faces).expect_err("a face is left over");
-    assert!(error.contains("a.ply:15:1: `3` follows the last element that the header names"), "{error}");
+    assert!(error.contains("a.ply:15:1: `3` follows the last element that the header declares"), "{error}");
     let error = mesh("a.ply", ply("ascii", 2) + CORNERS + faces.trim_end() + " 7").expect_err("a number is left over");
     assert!(error.contains("a.ply:15:9: `7` follows the last element"), "{error}");
 
@@ -41,7 +41,7 @@ fn a_mesh_that_its_file_goes_on_behind_is_refused() {
     };
     assert_eq!(mesh("a.ply", bytes(2, b"\0\r\n")), Ok(2));
     let error = mesh("a.ply", bytes(1, b"")).expect_err("a face is left over");
-    assert!(error.contains("4 bytes follow the last element that the header names"), "{error}");
+    assert!(error.contains("4 bytes follow the last element that the header declares"), "{error}");
 
     let stl = |count: u32, rest: usize| {
         [&[b' '; 80][..], &count.to_le_bytes(), &triangle(), &triangle(), &vec![7; rest]].concat()
@@ -50,7 +50,7 @@ fn a_mesh_that_its_file_goes_on_behind_is_refused() {
     // Less than one triangle does not count as a lost triangle.
     assert_eq!(mesh("a.stl", stl(2, 49)), Ok(2));
     let error = mesh("a.stl", stl(1, 0)).expect_err("a triangle is left over");
-    assert!(error.contains("the header says 1 triangles of 50 bytes, and 100 bytes follow"), "{error}");
+    assert!(error.contains("the header declares 1 triangles of 50 bytes, and 100 bytes follow"), "{error}");
 }
 
 /// Returns a triangle of a binary STL.
@@ -71,10 +71,10 @@ fn loops_of_an_stl_that_are_not_closed_are_refused() {
     let whole = facet("  endloop\n");
     assert_eq!(mesh("a.stl", format!("solid\n{whole}{whole}endsolid\n")), Ok(2));
     let error = mesh("a.stl", format!("solid\n{}{whole}endsolid\n", facet(""))).expect_err("a loop is open");
-    assert!(error.contains("a.stl:7:2: `endfacet` within a loop") && error.contains("1 error"), "{error}");
+    assert!(error.contains("a.stl:7:2: `endfacet` inside a loop") && error.contains("1 error"), "{error}");
     let open = format!("solid\n{}{whole}endsolid\n", facet("").replace(" endfacet\n", "").replace(" facet\n", ""));
     let error = mesh("a.stl", open).expect_err("a loop is open");
-    assert!(error.contains("a.stl:6:2: `facet` within a loop"), "{error}");
+    assert!(error.contains("a.stl:6:2: `facet` inside a loop"), "{error}");
 }
 
 /// Checks that each character that a terminal would interpret, reorder or hide is replaced by one visible character, so that carets stay in
@@ -86,7 +86,7 @@ fn files_do_not_control_the_terminal() {
     assert!(error.contains("    fov = ␛[31m5\u{fffd}␀\u{fffd}x\n"), "{error:?}");
     // Words that a message quotes, and strings with line ends.
     let error = mesh("a.obj", "v\u{7f}\u{7} 0 0 0\n").expect_err("no statement");
-    assert!(error.contains("`v␡␇` is not a statement of OBJ"), "{error:?}");
+    assert!(error.contains("`v␡␇` is not an OBJ statement"), "{error:?}");
     let scene = "[rays]\nmax_segments = \"a\\nb\\u001b\"\n";
     let error = Scene::parse(scene, Path::new("a.toml"), &[]).expect_err("no number").to_string();
     assert!(error.contains(r#"found the string "a\nb\u{1b}""#), "{error:?}");
@@ -134,8 +134,8 @@ fn what_is_wrong_with_a_picture_is_in_words() {
     for (name, after, said) in [
         (b"IHDR", 17, "CRC error: expected 0x"),
         (b"IHDR", 17, "while decoding IHDR chunk"),
-        (b"IDAT", 9, "it is broken: Corrupt deflate stream"),
-        (b"IHDR", 1, "it is broken: IhDR chunk appeared before IHDR chunk"),
+        (b"IDAT", 9, "the file is damaged: Corrupt deflate stream"),
+        (b"IHDR", 1, "the file is damaged: IhDR chunk appeared before IHDR chunk"),
     ] {
         let error = load("a.png", &chunk(name, after));
         assert!(error.contains(said) && !error.contains("Length"), "{error}");

@@ -65,7 +65,7 @@ fn a_mesh_that_a_device_cannot_hold_is_rejected_where_its_size_is_known() {
         ("a.glb", glb(6), "6"),
     ] {
         let (loaded, asked) = load(name, &bytes, 0);
-        let said = format!("it has {found} triangles or more, and this device holds at most 5: ");
+        let said = format!("the mesh has {found} or more triangles, and this device supports at most 5; ");
         let error = loaded.expect_err(name);
         assert!(error.contains("cannot use the mesh `") && error.contains(&said), "{name}: {error}");
         assert!(error.contains("scene.toml:7:8: ") && asked == 1, "{name}, asked {asked} times: {error}");

@@ -144,25 +144,25 @@ fn colors_of_gltf_are_linear() {
 fn colors_that_cannot_be_used_say_why() {
     let lacks = |mesh: &Mesh| mesh.lacks_colors().expect("a reason");
     assert_eq!(lacks(&obj([""; 3])), "this mesh has no vertex colors");
-    let bytes = "vertex 1 (from 0) has the color [255, 128, 0], and components are from 0 to 1";
+    let bytes = "vertex 1, counted from 0, has the color [255, 128, 0], outside the range from 0 to 1";
     assert_eq!(
         lacks(&obj([" 0 0 1", " 255 128 0", ""])),
         format!("the vertex colors of this mesh cannot be used: {bytes}")
     );
-    assert!(lacks(&obj([" 0 0 x", "", ""])).contains("vertex 0 (from 0) has the color [0, 0, NaN]"));
-    assert!(lacks(&obj(["", "", " 0 -1 0"])).contains("vertex 2 (from 0) has the color [0, -1, 0]"));
+    assert!(lacks(&obj([" 0 0 x", "", ""])).contains("vertex 0, counted from 0, has the color [0, 0, NaN]"));
+    assert!(lacks(&obj(["", "", " 0 -1 0"])).contains("vertex 2, counted from 0, has the color [0, -1, 0]"));
     let faces = "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\nelement face 1\n\
                  property list uchar int vertex_indices\nproperty uchar red\nproperty uchar green\nproperty uchar blue\n\
                  end_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2 9 9 9\n";
-    assert!(lacks(&load("a.ply", faces.as_bytes())).ends_with("the file gives colors to faces, and none to vertices"));
+    assert!(lacks(&load("a.ply", faces.as_bytes())).ends_with("the file has colors for faces, not for vertices"));
     // Values may be rounded.
     assert_eq!(obj([" 1.000001 0 -1e-9"; 3]).colors, [Vec3::X; 3]);
     let of = "meshes[0].primitives[0].attributes.COLOR_0";
     for (kind, is_normalized, name, value, said) in [
-        (5121, false, "count", json!(4), format!("{of} has whole numbers that are not `normalized`")),
+        (5121, false, "count", json!(4), format!("{of} has integer components that are not `normalized`")),
         (5121, true, "count", json!(3), format!("{of} has 3 elements, and there are 4 vertices")),
-        (5121, true, "count", json!(4000), "accessors[1] is of 4000 elements of 4 bytes".to_owned()),
-        (5121, true, "type", json!("SCALAR"), format!("accessors[1] is of Scalar, and {of} needs Vec3")),
+        (5121, true, "count", json!(4000), "accessors[1] requires 4000 elements of 4 bytes".to_owned()),
+        (5121, true, "type", json!("SCALAR"), format!("accessors[1] is of type Scalar, and {of} requires Vec3")),
     ] {
         let (mut made, rest) = strip(kind, "VEC4", vec![9; 16], is_normalized);
         made.accessors[1][name] = value;
@@ -221,7 +221,7 @@ fn a_material_that_uses_colors_needs_a_mesh_that_has_them() {
     scene(USES, &mesh("colored")).unwrap_or_else(|error| panic!("{error}"));
     for (object, line, said) in [
         (mesh("plain"), 13, "the material `b` has `vertex_colors = true`, but this mesh has no vertex colors"),
-        (mesh("odd"), 13, "vertex 0 (from 0) has the color [2, 2, 2], and components are from 0 to 1"),
+        (mesh("odd"), 13, "vertex 0, counted from 0, has the color [2, 2, 2], outside the range from 0 to 1"),
         (
             "shape = \"sphere\"".to_owned(),
             12,

@@ -105,7 +105,7 @@ fn a_comment_begins_a_line_or_follows_a_blank() {
     for (from, to, said) in [
         ("v 1 -1 0", "v 1 -1 -1.#IND00", "a.obj:2:8: expected a number, found `-1.#IND00`"),
         ("v 1 -1 0", "v 1 -1 1.#INF", "a.obj:2:8: expected a number, found `1.#INF`"),
-        ("f 1 2 3 4", "f 1 2 3 4#5", "a.obj:6:9: there is no vertex `4#5`"),
+        ("f 1 2 3 4", "f 1 2 3 4#5", "a.obj:6:9: vertex `4#5` does not exist"),
     ] {
         let told = obj(&SQUARE.replace(from, to)).expect_err("an error");
         assert!(told.starts_with(said), "{told}\nand not\n{said}");
@@ -115,10 +115,10 @@ fn a_comment_begins_a_line_or_follows_a_blank() {
 #[test]
 fn an_unknown_statement_of_an_obj_is_a_mistake() {
     for (line, said) in [
-        ("  w 1 2 3", "a.obj:7:3: `w` is not a statement of OBJ"),
-        ("V 1 2 3", "a.obj:7:1: `V` is not a statement of OBJ"),
-        ("\u{feff}v 1 2 3", "a.obj:7:1: `\u{fffd}v` is not a statement of OBJ"),
-        ("1 2 3", "a.obj:7:1: `1` is not a statement of OBJ"),
+        ("  w 1 2 3", "a.obj:7:3: `w` is not an OBJ statement"),
+        ("V 1 2 3", "a.obj:7:1: `V` is not an OBJ statement"),
+        ("\u{feff}v 1 2 3", "a.obj:7:1: `\u{fffd}v` is not an OBJ statement"),
+        ("1 2 3", "a.obj:7:1: `1` is not an OBJ statement"),
         ("call other.obj", "a.obj:7:1: `call` reads another file"),
     ] {
         let told = obj(&format!("{SQUARE}{line}\n")).expect_err("an error");
@@ -145,7 +145,7 @@ fn a_scene_names_what_its_meshes_have_that_is_not_drawn() {
     let scene = |count: usize| Scene::parse(&format!("{SCENE}{}", object.repeat(count)), &path, &[]);
     let warnings = scene(2).unwrap_or_else(|error| panic!("{error}")).warnings();
     let [warning] = &warnings[..] else { panic!("{warnings:?}") };
-    assert!(warning.ends_with("a.obj: only triangles are drawn, and not lines (1)"), "{warning}");
+    assert!(warning.ends_with("a.obj: ignored lines (1); only triangles are drawn"), "{warning}");
     std::fs::write(folder.path().join("a.obj"), format!("{SQUARE}line 1 2\n")).expect("written");
     assert_eq!(mistakes_of(scene(2)).len(), 1);
 }

@@ -68,16 +68,16 @@ fn other_statements_are_passed_over() {
 fn mistakes_in_a_mesh_have_its_lines() {
     let v = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
     for (text, line, column, excerpt, problem) in [
-        ("f 1 2 4", 4, 7, "4", "there is no vertex `4`"),
-        ("f 1 2 0", 4, 7, "0", "there is no vertex `0`"),
-        ("f 1 -4 2", 4, 5, "-4", "there is no vertex `-4`"),
-        ("f 1 2 99999999999999999999", 4, 7, "99999999999999999999", "there is no vertex `99999999999999999999`"),
-        ("f 1/1 2 3", 4, 3, "1/1", "there is no texture coordinate `1`"),
-        ("f 1 2 3//9", 4, 7, "3//9", "there is no normal `9`"),
-        ("f 1 2 //", 4, 7, "//", "a corner needs a vertex"),
+        ("f 1 2 4", 4, 7, "4", "vertex `4` does not exist"),
+        ("f 1 2 0", 4, 7, "0", "vertex `0` does not exist"),
+        ("f 1 -4 2", 4, 5, "-4", "vertex `-4` does not exist"),
+        ("f 1 2 99999999999999999999", 4, 7, "99999999999999999999", "vertex `99999999999999999999` does not exist"),
+        ("f 1/1 2 3", 4, 3, "1/1", "texture coordinate `1` does not exist"),
+        ("f 1 2 3//9", 4, 7, "3//9", "normal `9` does not exist"),
+        ("f 1 2 //", 4, 7, "//", "a corner requires a vertex"),
         ("v 1 nan 2", 4, 5, "nan", "expected a number, found `nan`"),
         ("v 1 2 1e39", 4, 7, "1e39", "expected a number, found `1e39`"),
-        ("\n  vn 1 2", 5, 3, "vn", "`vn` needs 3 numbers, found 2"),
+        ("\n  vn 1 2", 5, 3, "vn", "`vn` requires 3 numbers, found 2"),
         ("", 1, 1, "", "the mesh has no triangles with an area"),
         ("f 1 2 2", 1, 1, "", "the mesh has no triangles with an area"),
     ] {
@@ -139,7 +139,7 @@ fn bad_pictures_are_refused_with_their_path() {
     fs::write(path("text.png"), "not a picture").expect("written");
     fs::write(path("empty.png"), "").expect("written");
     for (name, problem) in [
-        ("nan.exr", "the pixel in column 1, row 0 (from 0, top left) is not finite"),
+        ("nan.exr", "the pixel in column 1, row 0 (counted from 0, top left) is not finite"),
         ("cut.png", "cannot use the image"),
         ("text.png", "cannot use the image"),
         ("empty.png", "cannot use the image"),

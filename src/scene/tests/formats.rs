@@ -181,7 +181,7 @@ fn strips_of_a_ply_are_the_triangles_that_they_are_made_of() {
     }
     assert_eq!(places(&good("a.ply", &bytes)), expected);
     let told = wrong("a.ply", text.replace("-1 4 3", "-2 4 3").as_bytes());
-    assert!(told.starts_with("a.ply:15:11: there is no vertex `-2`"), "{told}");
+    assert!(told.starts_with("a.ply:15:11: vertex `-2` does not exist"), "{told}");
     // Edges are counted.
     let edges = ply_text().replace("end_header", "element edge 1\nproperty int vertex1\nend_header") + "7\n";
     assert_eq!(good("a.ply", edges.as_bytes()).left_out, ["elements `edge` (1)"]);
@@ -192,39 +192,39 @@ fn mistakes_in_words_have_their_lines() {
     let text = ply_text();
     for (from, to, said) in [
         ("ply\n", "plx\n", "a.ply:1:1: not a PLY file"),
-        ("format ascii 1.0\n", "", "a.ply:1:1: the header names no format"),
+        ("format ascii 1.0\n", "", "a.ply:1:1: the header specifies no format"),
         ("ascii", "asci", "a.ply:2:8: unknown format `asci`"),
-        ("comment a", "coment a", "a.ply:3:1: not a line of a header"),
+        ("comment a", "coment a", "a.ply:3:1: not a valid header line"),
         ("vertex 5", "vertex -5", "a.ply:4:16: expected a number of elements, found `-5`"),
         ("property float x", "property flot x", "a.ply:5:10: unknown type `flot`"),
         ("property float x", "property float w", "a.ply:1:1: vertices have no property `x`"),
-        ("list uchar int", "list float int", "a.ply:10:15: a list's length is a whole number"),
+        ("list uchar int", "list float int", "a.ply:10:15: the length of a list must have an integer type"),
         (
             "vertex_indices",
             "vertices",
-            "a.ply:1:1: the element `face` has `vertices`, and needs a list `vertex_indices`",
+            "a.ply:1:1: the element `face` has `vertices`, and requires a list `vertex_indices`",
         ),
         (
             "element face",
             "element fase",
-            "a.ply:1:1: it is a cloud of points: the header names 5 `vertex`, 2 `fase`, and triangles need `face`",
+            "a.ply:1:1: the file is a point cloud: the header has 5 `vertex`, 2 `fase`, and triangles require `face`",
         ),
-        ("face 2", "face 0", "a.ply:1:1: it is a cloud of points: the header names 5 `vertex`, 0 `face`"),
+        ("face 2", "face 0", "a.ply:1:1: the file is a point cloud: the header has 5 `vertex`, 0 `face`"),
         (
             "element vertex",
             "element vertices",
-            "a.ply:1:1: a mesh has one element `vertex`, and the header names 5 `ver",
+            "a.ply:1:1: a mesh requires exactly one element `vertex`, and the header has 5 `ver",
         ),
-        ("end_header\n", "", "a.ply:11:1: not a line of a header"),
+        ("end_header\n", "", "a.ply:11:1: not a valid header line"),
         ("2 0 0 255", "2 x 0 255", "a.ply:13:3: expected a number, found `x`"),
         ("2 0 0 255", "2 0 1e39 255", "a.ply:13:5: expected a number, found `"),
         ("2 0 0 255", "2 0 0", "a.ply:13:6: the line ends"),
-        ("2 0 0 255", "2 0 0 255 7", "a.ply:13:11: `7` is more than the header says"),
-        ("3 3 2 4", "3 3 2 5", "a.ply:18:7: there is no vertex `5`"),
-        ("3 3 2 4", "3 3 2 -1", "a.ply:18:7: there is no vertex `-1`"),
-        ("3 3 2 4", "3 3 2 0.5", "a.ply:18:7: there is no vertex `0.5`"),
-        ("3 3 2 4", "300 3 2 4", "a.ply:18:1: a list `vertex_indices` of 300, and 7 bytes follow"),
-        ("3 3 2 4\n", "", "a.ply:18:1: the file ends; the header says 2 elements `face`"),
+        ("2 0 0 255", "2 0 0 255 7", "a.ply:13:11: the header declares no value `7`"),
+        ("3 3 2 4", "3 3 2 5", "a.ply:18:7: vertex `5` does not exist"),
+        ("3 3 2 4", "3 3 2 -1", "a.ply:18:7: vertex `-1` does not exist"),
+        ("3 3 2 4", "3 3 2 0.5", "a.ply:18:7: vertex `0.5` does not exist"),
+        ("3 3 2 4", "300 3 2 4", "a.ply:18:1: a list `vertex_indices` has the length 300, and 7 bytes remain"),
+        ("3 3 2 4\n", "", "a.ply:18:1: unexpected end of file: the header declares 2 elements `face`"),
     ] {
         assert!(text.contains(from));
         let told = wrong("a.ply", text.replacen(from, to, 1).as_bytes());
@@ -234,16 +234,16 @@ fn mistakes_in_words_have_their_lines() {
         "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 2 0 0\n  vertex 0 2 0\nendloop\nendfacet\n";
     good("a.stl", text.as_bytes());
     for (from, to, said) in [
-        ("solid a\nfacet", "solid a\nfaced", "a.stl:2:1: unknown value `faced`"),
-        ("  vertex 0 2 0", "  vertex 0 2", "a.stl:6:3: `vertex` needs 3 numbers, found 2"),
+        ("solid a\nfacet", "solid a\nfaced", "a.stl:2:1: unknown keyword `faced`"),
+        ("  vertex 0 2 0", "  vertex 0 2", "a.stl:6:3: `vertex` requires 3 numbers, found 2"),
         ("  vertex 0 2 0", "  vertex 0 2 inf", "a.stl:6:14: expected a number, found `inf`"),
-        ("vertex 2 0 0\n", "", "a.stl:6:1: a loop of 2 vertices"),
+        ("vertex 2 0 0\n", "", "a.stl:6:1: a loop has 2 vertices"),
     ] {
         assert!(text.contains(from), "{text}");
         let told = wrong("a.stl", text.replacen(from, to, 1).as_bytes());
         assert!(told.starts_with(said), "{told}\nand not\n{said}");
     }
-    assert!(wrong("a.stl", &text.as_bytes()[..60]).contains("the file ends within a loop"));
+    assert!(wrong("a.stl", &text.as_bytes()[..60]).contains("the file ends inside a loop"));
     assert!(wrong("a.stl", b"solid\nendsolid\n").starts_with("a.stl:1:1: the mesh has no triangles with an area"));
 }
 
@@ -260,7 +260,7 @@ fn mistakes_in_bytes_have_their_places() {
     broken[last] = 5;
     assert!(
         wrong("a.ply", &broken)
-            .contains(&format!("at byte {last}: there is no vertex `5` (5 vertices, counted from 0)"))
+            .contains(&format!("at byte {last}: vertex `5` does not exist (the file has 5 vertices, counted from 0)"))
     );
     // Counts that exceed the file are reported with both numbers.
     let forge = |from: &str, to: &str| {
@@ -268,24 +268,26 @@ fn mistakes_in_bytes_have_their_places() {
     };
     assert!(
         forge("vertex 5", "vertex 4000000000")
-            .contains("4000000000 elements `vertex` of 17 bytes or more, and 100 bytes")
+            .contains("4000000000 elements `vertex` of at least 17 bytes, and 100 bytes")
     );
-    assert!(forge("face 2", "face 4000000000").contains("4000000000 elements `face` of 1 bytes or more, and 15 bytes"));
+    assert!(
+        forge("face 2", "face 4000000000").contains("4000000000 elements `face` of at least 1 bytes, and 15 bytes")
+    );
     assert!(
         forge("property uchar red\n", "element odd 4000000000\n")
             .contains("4000000000 elements `odd` have no properties")
     );
     let text = ply_text().replace("vertex 5", "vertex 4000000000");
-    assert!(wrong("a.ply", text.as_bytes()).contains("4000000000 elements `vertex` of 8 bytes or more, and "));
+    assert!(wrong("a.ply", text.as_bytes()).contains("4000000000 elements `vertex` of at least 8 bytes, and "));
 
     let stl = stl_bytes(&obj());
     let mut forged = vec![0; 100];
     forged[80..84].copy_from_slice(&4_000_000_000_u32.to_le_bytes());
     assert!(
         wrong("a.stl", &forged)
-            .contains("at byte 80: the header says 4000000000 triangles of 50 bytes, and 16 bytes follow")
+            .contains("at byte 80: the header declares 4000000000 triangles of 50 bytes, and 16 bytes follow")
     );
-    assert!(wrong("a.stl", b"nothing").contains("it does not begin with `solid`, and has 7 bytes of the 84"));
+    assert!(wrong("a.stl", b"nothing").contains("does not begin with `solid`, and has only 7 of the 84"));
     let mut broken = stl;
     broken[96..100].copy_from_slice(&f32::INFINITY.to_le_bytes());
     assert!(wrong("a.stl", &broken).contains("at byte 96: a corner is [inf, "));
@@ -295,7 +297,7 @@ fn mistakes_in_bytes_have_their_places() {
 fn faces_of_very_many_corners_are_refused() {
     let corners = |first: u32| (first..first + 10_001).map(|i| i.to_string()).collect::<Vec<_>>().join(" ");
     let points = "0 0 0\n".repeat(10_001);
-    let said = "a face of 10001 corners";
+    let said = "a face has 10001 corners";
     let obj = format!("{}f {}\n", points.replace("0 0 0", "v 0 0 0"), corners(1));
     assert!(wrong("a.obj", obj.as_bytes()).starts_with(&format!("a.obj:10002:1: {said}")));
     let header = ply_header("ascii").replace("vertex 5", "vertex 10001").replace("property uchar red\n", "");
@@ -312,7 +314,7 @@ fn faces_of_very_many_corners_are_refused() {
 #[test]
 fn other_formats_are_refused_by_name() {
     let told = wrong("a.3ds", b"");
-    assert!(told.contains("meshes are files whose names end in .obj, .ply, .stl, .gltf, .glb"), "{told}");
+    assert!(told.contains("the name of a mesh file must end in .obj, .ply, .stl, .gltf, .glb"), "{told}");
     assert!(load("none", b"").is_err());
 }
 

@@ -255,11 +255,11 @@ fn parts_are_chosen_by_name_and_number() {
     assert_eq!(ask(number(1), None), Ok(DVec3::Z));
     assert_eq!(ask(None, None), Ok(DVec3::ZERO));
     for (asked, said) in [
-        (ask(named("once"), Some(1)), "the mesh has no triangles with an area: it has primitives of points (1)"),
-        (ask(named("onze"), None), "there is no node `onze` with a mesh; use `once`"),
-        (ask(named("eye"), None), "there is no node `eye` with a mesh"),
-        (ask(number(9), None), "there is no node 9 with a mesh"),
-        (ask(named("twice"), None), "several nodes have this name; choose by number: 0, 1"),
+        (ask(named("once"), Some(1)), "the mesh has no triangles with an area: it has point primitives (1)"),
+        (ask(named("onze"), None), "the file has no node `onze` with a mesh; use `once`"),
+        (ask(named("eye"), None), "the file has no node `eye` with a mesh"),
+        (ask(number(9), None), "has no node 9 with a mesh"),
+        (ask(named("twice"), None), "several nodes have this name; use one of the numbers 0, 1"),
         (ask(named("once"), Some(3)), "nodes[2] has no primitive 3; it has 3, counted from 0"),
     ] {
         let told = asked.expect_err("an error");
@@ -280,7 +280,7 @@ fn parts_are_chosen_by_name_and_number() {
     assert_eq!(warnings("node = 0"), [""; 0]);
     for keys in ["", "node = \"once\""] {
         let told = warnings(keys);
-        let is_told = |told: &str| told.ends_with("a.glb: only triangles are drawn, and not primitives of points (1)");
+        let is_told = |told: &str| told.ends_with("a.glb: ignored point primitives (1); only triangles are drawn");
         assert!(told.len() == 1 && is_told(&told[0]), "{told:?}");
     }
     assert!(scene("node = \"eye\"").expect_err("an error").contains("scene.toml:8:8: cannot use the mesh"));
@@ -289,7 +289,7 @@ fn parts_are_chosen_by_name_and_number() {
     let told = super::mistakes_of(super::parse(&format!(
         "[rays]\nbounding_sphere = {{ radius = 30 }}\n[materials.m]\n[[objects]]\n{obj}"
     )));
-    assert!(told[0].problem.contains("it has no nodes: leave `node` and `primitive` out"), "{told:?}");
+    assert!(told[0].problem.contains("this format has no nodes: remove `node` and `primitive`"), "{told:?}");
 }
 
 #[test]

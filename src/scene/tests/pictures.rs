@@ -71,12 +71,12 @@ fn what_an_hdr_file_was_multiplied_by_is_taken_out_of_it() {
     let picture = load(&path);
     shows(&picture, [0.5, 2.0, 8.0], 0.0);
     let told = picture.notes.join("\n");
-    for part in ["`EXPOSURE=x`", "`COLORCORR=1 2`", "its PRIMARIES are not applied", "`PRIMARIES=1 2`"] {
+    for part in ["`EXPOSURE=x`", "`COLORCORR=1 2`", "the PRIMARIES are ignored", "`PRIMARIES=1 2`"] {
         assert!(told.contains(part), "{told}");
     }
     hdr(&path, stored, "#?RADIANCE", "FORMAT=32-bit_rle_xyze\n");
     let error = Picture::load(&path).expect_err("another format").to_string();
-    assert!(error.contains("its FORMAT is 32-bit_rle_xyze"), "{error}");
+    assert!(error.contains("the FORMAT 32-bit_rle_xyze is not supported"), "{error}");
 }
 
 #[test]
@@ -92,7 +92,7 @@ fn rows_that_a_header_leaves_out_are_told() {
         bytes[at + 3] = rows;
         fs::write(&path, bytes).expect("written");
         let notes = load(&path).notes.join("\n");
-        assert_eq!(notes.contains("what is behind them is not read"), told, "{rows} {behind:?}: {notes}");
+        assert_eq!(notes.contains("the data after them is ignored"), told, "{rows} {behind:?}: {notes}");
     }
 }
 
@@ -129,7 +129,7 @@ fn primaries_become_those_of_rec_709() {
     exr(&path, &[("R", r), ("G", g), ("B", b)], Some(none));
     let picture = load(&path);
     shows(&picture, color, 1e-6);
-    assert!(picture.notes[0].contains("chromaticities are not applied"), "{:?}", picture.notes);
+    assert!(picture.notes[0].contains("chromaticities are ignored"), "{:?}", picture.notes);
 }
 
 fn exr(path: &Path, channels: &[(&str, f32)], chromaticities: Option<Chromaticities>) {
@@ -163,11 +163,11 @@ fn channels_of_an_exr_are_found_by_their_names() {
         shows(&load(&path), color, 0.0);
     }
     for (channels, parts) in [
-        (&[("Y", 1.0), ("RY", 0.0), ("BY", 0.0)][..], ["`BY`, `RY`, `Y`", "luminance with chroma"]),
+        (&[("Y", 1.0), ("RY", 0.0), ("BY", 0.0)][..], ["`BY`, `RY`, `Y`", "luminance-chroma channels"]),
         (&[("N.X", 1.0), ("N.Y", 0.0), ("N.Z", 0.0)], ["`N.X`, `N.Y`, `N.Z`", "expected `R`, `G` and `B`"]),
         (
             &[("a.R", 1.0), ("a.G", 1.0), ("a.B", 1.0), ("b.R", 1.0), ("b.G", 1.0), ("b.B", 1.0)],
-            ["`a.R`", "or one that is called `Combined`"],
+            ["`a.R`", "or in a layer called `Combined`"],
         ),
     ] {
         exr(&path, channels, None);
@@ -184,7 +184,7 @@ fn channels_of_an_exr_are_found_by_their_names() {
     }
     fs::write(&path, bytes).expect("written");
     let error = Picture::load(&path).expect_err("refused").to_string();
-    assert!(error.contains("`BY`, `RY`, `Y`; luminance with chroma"), "{error}");
+    assert!(error.contains("`BY`, `RY`, `Y`; luminance-chroma channels"), "{error}");
 }
 
 /// Writes a PNG of one color with these chunks.
@@ -238,11 +238,11 @@ fn what_a_png_says_of_its_colors_is_applied() {
         shows(&picture, color, tolerance);
     }
     for (chunk, note) in [
-        (gamma(0.0), "its gAMA chunk is malformed and not applied"),
-        ((b"cHRM", scaled(&[0.3, 0.3, 0.5, 0.3, 0.5, 0.3, 0.5, 0.3])), "chromaticities (cHRM) are not applied"),
-        ((b"iCCP", profile_chunk(&[1; 200])), "its ICC profile is not applied, because it cannot be read"),
-        ((b"iCCP", b"no zeros".to_vec()), "its iCCP chunk is malformed"),
-        ((b"cICP", vec![9, 16, 0, 1]), "its code points (cICP 9, 16, 0, 1) are not applied"),
+        (gamma(0.0), "the gAMA chunk is malformed and ignored"),
+        ((b"cHRM", scaled(&[0.3, 0.3, 0.5, 0.3, 0.5, 0.3, 0.5, 0.3])), "chromaticities (cHRM) are ignored"),
+        ((b"iCCP", profile_chunk(&[1; 200])), "the ICC profile is ignored, because it cannot be read"),
+        ((b"iCCP", b"no zeros".to_vec()), "the iCCP chunk is malformed"),
+        ((b"cICP", vec![9, 16, 0, 1]), "the code points (cICP 9, 16, 0, 1) are ignored"),
     ] {
         png(&path, stored, &[chunk]);
         let picture = load(&path);
@@ -267,19 +267,19 @@ fn the_profile_of_a_jpeg_is_applied_or_told() {
     shows(&picture, [(128.0_f64 / 255.0).powf(2.199_218_75); 3], 2e-3);
     write(vec![7; 300]);
     let picture = load(&path);
-    assert!(picture.notes[0].contains("its ICC profile is not applied"), "{:?}", picture.notes);
+    assert!(picture.notes[0].contains("the ICC profile is ignored"), "{:?}", picture.notes);
 }
 
 #[test]
 fn other_formats_are_named() {
     let (_folder, path) = in_folder("a.png");
     for (bytes, name) in [
-        (&b"RIFF\x08\0\0\0WEBPVP8 "[..], "it is of the format WebP; PNG, JPEG, EXR and HDR are read"),
-        (b"\xabKTX 20\xbb\r\n\x1a\n", "it is of the format KTX"),
-        (b"GIF89a", "it is of the format GIF"),
-        (b"II*\0", "it is of the format TIFF"),
-        (b"nothing", "it is of no known format"),
-        (b"", "it is empty"),
+        (&b"RIFF\x08\0\0\0WEBPVP8 "[..], "the image is in the format WebP: convert it to PNG, JPEG, EXR or HDR"),
+        (b"\xabKTX 20\xbb\r\n\x1a\n", "the image is in the format KTX"),
+        (b"GIF89a", "the image is in the format GIF"),
+        (b"II*\0", "the image is in the format TIFF"),
+        (b"nothing", "the image is in an unknown format"),
+        (b"", "the image is empty"),
     ] {
         fs::write(&path, bytes).expect("written");
         let error = Picture::load(&path).expect_err("refused").to_string();

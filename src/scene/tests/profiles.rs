@@ -70,8 +70,8 @@ fn mistakes_in_a_profile_have_their_places() {
     for (text, line, excerpt, problem) in [
         ("", 1, "", "expected the columns height,n, found ``"),
         ("n,height\n1,0\n", 1, "n,height", "expected the columns height,n, found `n,height`"),
-        ("height,n\n", 1, "", "a profile needs two points, found 0"),
-        ("height, n\n\n0,1\n\n2,1\n 2 ,1\n", 6, "2", "the height 2 is not above the one before, 2"),
+        ("height,n\n", 1, "", "a profile requires at least two points, found 0"),
+        ("height, n\n\n0,1\n\n2,1\n 2 ,1\n", 6, "2", "the height 2 is not above the previous height, 2"),
         ("height,n\n0,1\n1,0.1\n2,0.1\n3,1\n", 1, "", "the curve through the points falls to n = -0.0350"),
     ] {
         let mistakes = wrong(text);

@@ -204,7 +204,7 @@ fn normals_are_on_the_outside_of_turned_faces() {
 fn a_mesh_without_an_inside_is_refused() {
     let of = |text: &str| mesh(text).opening().map(str::to_owned).unwrap_or_default();
     let open = obj(&[cube(1.0, false)], DMat3::IDENTITY).replace("f 1 3 4\n", "");
-    assert_eq!(of(&open), "the mesh is not closed: the edge at [0.0000, 0.0000, -1.0000] has no second triangle");
+    assert_eq!(of(&open), "the mesh is not closed: the edge at [0.0000, 0.0000, -1.0000] belongs to only one triangle");
     // A Möbius strip of five triangles, closed at its edge by a fan: the projective plane, which intersects itself.
     let strip = "f 1 2 3\nf 2 3 4\nf 3 4 5\nf 4 5 1\nf 5 1 2\n";
     let fan = "f 1 3 6\nf 3 5 6\nf 5 2 6\nf 2 4 6\nf 4 1 6\n";
@@ -269,7 +269,7 @@ fn files_of_every_format_are_turned() {
         let [cube, _] = &scene.objects[..] else { panic!("{name}: {} objects", scene.objects.len()) };
         let winding = |object: &Object, x| object.shape.mesh().map_or(0.0, |mesh| mesh.winding(x));
         assert!((winding(cube, DVec3::splat(0.3)) - 1.0).abs() < 1e-9 && cube.contains(DVec3::ZERO), "{name}");
-        let remark = "objects[0]: 12 of its 12 triangles are wound inward, and are turned";
+        let remark = "objects[0]: 12 of its 12 triangles have inward winding and are reversed";
         assert_eq!(scene.mesh_remarks(), [remark], "{name}");
     }
 }
@@ -283,7 +283,8 @@ fn solids_of_one_mesh_come_behind_other_objects() {
     let scene = scene(folder.path(), "a.obj");
     let is_mesh: Vec<bool> = scene.objects.iter().map(|object| object.shape.mesh().is_some()).collect();
     assert_eq!(is_mesh, [true, false, true]);
-    let remark = "12 of its 24 triangles are wound inward, and are turned; its parts overlap, and count as 2 objects";
+    let remark =
+        "12 of its 24 triangles have inward winding and are reversed; its parts overlap and are treated as 2 objects";
     assert_eq!(scene.mesh_remarks(), [format!("objects[0]: {remark}")]);
 }
 
@@ -297,7 +298,7 @@ fn an_open_interior_is_a_mistake() {
         path.display()
     );
     let mistakes = mistakes_of(parse(&text));
-    let problem = "the mesh is not closed: the edge at [0.5000, 0.0000, 0.0000] has no second triangle";
+    let problem = "the mesh is not closed: the edge at [0.5000, 0.0000, 0.0000] belongs to only one triangle";
     assert_eq!(mistakes[0].problem, problem);
     assert_eq!(mistakes[0].help, "set `material`, or use another shape, such as a closed mesh");
 }

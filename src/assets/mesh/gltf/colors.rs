@@ -16,7 +16,7 @@ impl Gltf {
             return Err(Flaw(format!("{of} has {} elements, and there are {vertices} vertices", colors.count)));
         }
         if !colors.are_fractions() {
-            return Err(Flaw(format!("{of} has whole numbers that are not `normalized`")));
+            return Err(Flaw(format!("{of} has integer components that are not `normalized`")));
         }
         for i in 0..vertices {
             // The specification requires clamping.

@@ -92,8 +92,9 @@ fn solids(mesh: &Mesh) -> Result<Vec<Arc<Mesh>>, String> {
 
 /// Returns a message about a mesh whose solids differ from it.
 fn remark(turned: usize, count: usize, layers: u32) -> Option<String> {
-    let turned = (turned > 0).then(|| format!("{turned} of its {count} triangles are wound inward, and are turned"));
-    let layers = (layers > 1).then(|| format!("its parts overlap, and count as {layers} objects"));
+    let turned =
+        (turned > 0).then(|| format!("{turned} of its {count} triangles have inward winding and are reversed"));
+    let layers = (layers > 1).then(|| format!("its parts overlap and are treated as {layers} objects"));
     turned.into_iter().chain(layers).reduce(|a, b| format!("{a}; {b}"))
 }
 

@@ -76,11 +76,13 @@ impl Shells {
         match faults {
             [_, Some(corner)] => {
                 let [x, y, z] = place(corner);
-                Err(format!("the mesh is not closed: the edge at [{x:.4}, {y:.4}, {z:.4}] has no second triangle"))
+                Err(format!(
+                    "the mesh is not closed: the edge at [{x:.4}, {y:.4}, {z:.4}] belongs to only one triangle"
+                ))
             }
             [Some(corner), _] => {
                 let [x, y, z] = place(corner);
-                Err(format!("the mesh has only one side: at [{x:.4}, {y:.4}, {z:.4}] it meets itself turned over"))
+                Err(format!("the mesh has only one side: at [{x:.4}, {y:.4}, {z:.4}] its winding cannot be consistent"))
             }
             _ => groups.shells(mesh, &counts),
         }
@@ -275,8 +277,8 @@ impl Sum {
         if self.six_volumes.abs() <= LEAST_VOLUME * self.terms {
             let [x, y, z] = self.origin.to_array();
             return Err(format!(
-                "which side of the mesh is outside cannot be told: the part at [{x:.4}, {y:.4}, {z:.4}] encloses as much volume \
-                 on one side as on the other"
+                "the outside of the mesh is ambiguous: the part at [{x:.4}, {y:.4}, {z:.4}] encloses equal volumes on \
+                 both sides"
             ));
         }
         let volume = if self.is_mostly_odd() { -self.six_volumes } else { self.six_volumes } / 6.0;

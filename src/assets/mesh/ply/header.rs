@@ -62,7 +62,7 @@ fn kind_named(word: &str) -> Result<Stored, Wrong<'_>> {
     let known = KINDS.iter().find(|(name, other, _)| *name == word || *other == word);
     known.map(|(.., kind)| *kind).ok_or_else(|| {
         let names = KINDS.map(|(name, ..)| name).join(", ");
-        (word, format!("unknown type `{word}`"), format!("types: {names}"))
+        (word, format!("unknown type `{word}`"), format!("supported types: {names}"))
     })
 }
 
@@ -111,7 +111,7 @@ fn parse<'a>(bytes: &[u8], text: &'a str) -> Result<Header, Wrong<'a>> {
     let line_end = line_end(bytes);
     loop {
         if rest.is_empty() {
-            return Err((rest, "the header does not end".to_owned(), "its last line is `end_header`".to_owned()));
+            return Err((rest, "the header has no end".to_owned(), "end it with `end_header`".to_owned()));
         }
         let end = rest.find(line_end).map_or(rest.len(), |i| i + 1);
         let (line, after) = rest.split_at(end);
@@ -124,7 +124,7 @@ fn parse<'a>(bytes: &[u8], text: &'a str) -> Result<Header, Wrong<'a>> {
         let words: Vec<&str> = words(line).collect();
         if std::mem::take(&mut is_first) {
             if words != ["ply"] {
-                return Err((line.trim_end(), "not a PLY file".to_owned(), "its first line is `ply`".to_owned()));
+                return Err((line.trim_end(), "not a PLY file".to_owned(), "the first line must be `ply`".to_owned()));
             }
             continue;
         }
@@ -134,18 +134,20 @@ fn parse<'a>(bytes: &[u8], text: &'a str) -> Result<Header, Wrong<'a>> {
             ["element", name, count] => header.elements.push(element(name, count)?),
             ["property", ref rest @ ..] => {
                 let Some(element) = header.elements.last_mut() else {
-                    return Err((words[0], "a property of no element".to_owned(), String::new()));
+                    return Err((words[0], "this property belongs to no element".to_owned(), String::new()));
                 };
                 element.properties.push(property(words[0], rest)?);
             }
             [] | ["comment" | "obj_info", ..] => {}
             [first, ..] => {
-                let help = "lines are `format ascii 1.0`, `element NAME COUNT`, `property TYPE NAME` and `comment ..`";
-                return Err((first, "not a line of a header".to_owned(), help.to_owned()));
+                let help =
+                    "valid lines are `format ascii 1.0`, `element NAME COUNT`, `property TYPE NAME` and `comment ..`";
+                return Err((first, "not a valid header line".to_owned(), help.to_owned()));
             }
         }
     }
-    let none = || (&text[..3], "the header names no format".to_owned(), "for example `format ascii 1.0`".to_owned());
+    let none =
+        || (&text[..3], "the header specifies no format".to_owned(), "for example `format ascii 1.0`".to_owned());
     header.encoding = encoding.ok_or_else(none)?;
     header.vertices = checked(&header.elements).map_err(|problem| (&text[..3], problem, String::new()))?;
     Ok(header)
@@ -156,7 +158,7 @@ fn checked(elements: &[Element]) -> Result<u64, String> {
     let named = |name: &str| elements.iter().filter(|element| element.name == name).collect::<Vec<_>>();
     let listed = || elements.iter().map(|e| format!("{} `{}`", e.count, e.name)).collect::<Vec<_>>().join(", ");
     let [vertex] = named("vertex")[..] else {
-        return Err(format!("a mesh has one element `vertex`, and the header names {}", listed()));
+        return Err(format!("a mesh requires exactly one element `vertex`, and the header has {}", listed()));
     };
     let has = |element: &Element, names: &[&str], list: bool| {
         let is_it = |p: &Property| names.contains(&p.name.as_str()) && p.length.is_some() == list;
@@ -168,18 +170,22 @@ fn checked(elements: &[Element]) -> Result<u64, String> {
     let surfaces: Vec<&Element> = SURFACES.into_iter().flat_map(named).collect();
     if surfaces.iter().all(|element| element.count == 0) {
         return Err(format!(
-            "it is a cloud of points: the header names {}, and triangles need `face` or `tristrips`",
+            "the file is a point cloud: the header has {}, and triangles require `face` or `tristrips`",
             listed()
         ));
     }
     for surface in surfaces {
         if named(&surface.name).len() > 1 {
-            return Err(format!("a mesh has one element `{}`, and the header names {}", surface.name, listed()));
+            return Err(format!(
+                "a mesh requires exactly one element `{}`, and the header has {}",
+                surface.name,
+                listed()
+            ));
         }
         if !has(surface, &CORNERS, true) {
             let lists: Vec<String> = surface.properties.iter().map(|property| format!("`{}`", property.name)).collect();
             let has = if lists.is_empty() { "no property".to_owned() } else { lists.join(", ") };
-            return Err(format!("the element `{}` has {has}, and needs a list `vertex_indices`", surface.name));
+            return Err(format!("the element `{}` has {has}, and requires a list `vertex_indices`", surface.name));
         }
     }
     Ok(vertex.count)
@@ -191,7 +197,7 @@ fn encoding_named(word: &str) -> Result<Encoding, Wrong<'_>> {
         "binary_little_endian" => Ok(Encoding::Little),
         "binary_big_endian" => Ok(Encoding::Big),
         _ => {
-            let help = "formats: ascii, binary_little_endian, binary_big_endian".to_owned();
+            let help = "supported formats: ascii, binary_little_endian, binary_big_endian".to_owned();
             Err((word, format!("unknown format `{word}`"), help))
         }
     }
@@ -201,7 +207,9 @@ fn element<'a>(name: &str, count: &'a str) -> Result<Element, Wrong<'a>> {
     // Triangles store the indices of their corners in 32 bits.
     match count.parse::<u32>() {
         Ok(count) => Ok(Element { name: name.to_owned(), count: u64::from(count), properties: Vec::new() }),
-        _ => Err((count, format!("expected a number of elements, found `{count}`"), "at most 4294967295".to_owned())),
+        _ => {
+            Err((count, format!("expected a number of elements, found `{count}`"), "use at most 4294967295".to_owned()))
+        }
     }
 }
 
@@ -211,7 +219,7 @@ fn property<'a>(keyword: &'a str, words: &[&'a str]) -> Result<Property, Wrong<'
         ["list", length, kind, name] => {
             let length = match kind_named(length)? {
                 Stored::F32 | Stored::F64 => {
-                    return Err((length, "a list's length is a whole number".to_owned(), String::new()));
+                    return Err((length, "the length of a list must have an integer type".to_owned(), String::new()));
                 }
                 whole => Some(whole),
             };
@@ -219,8 +227,8 @@ fn property<'a>(keyword: &'a str, words: &[&'a str]) -> Result<Property, Wrong<'
         }
         [kind, name] => Ok(Property { name: name.to_owned(), kind: kind_named(kind)?, length: None }),
         _ => {
-            let help = "`property TYPE NAME`, or `property list TYPE TYPE NAME`".to_owned();
-            Err((keyword, "not a property".to_owned(), help))
+            let help = "write `property TYPE NAME`, or `property list TYPE TYPE NAME`".to_owned();
+            Err((keyword, "not a valid property".to_owned(), help))
         }
     }
 }

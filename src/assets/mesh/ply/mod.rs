@@ -208,7 +208,7 @@ impl Assembled {
     fn raw(self, path: &Path, check: impl Fn(u64) -> Result<(), SceneError>) -> Result<Raw, SceneError> {
         let Self { mut raw, indices, sizes, corner_uvs, faces_uvs, has_face_colors } = self;
         if has_face_colors && !raw.colors.are_there() {
-            raw.colors.reject("the file gives colors to faces, and none to vertices".to_owned());
+            raw.colors.reject("the file has colors for faces, not for vertices".to_owned());
         }
         let (has_normals, has_uvs) = (!raw.normals.is_empty(), !raw.uvs.is_empty());
         // The texture coordinates of faces follow the coordinates of vertices.
@@ -239,14 +239,17 @@ impl Assembled {
 /// Returns the vertex with this index.
 fn vertex(index: f64, vertices: u64) -> Result<u32, Wrong> {
     if index < 0.0 || index >= vertices as f64 || index.fract() != 0.0 {
-        let problem = format!("there is no vertex `{index}`");
-        return Err(Wrong { problem, help: format!("{vertices} vertices, counted from 0") });
+        let problem = format!("vertex `{index}` does not exist");
+        return Err(Wrong { problem, help: format!("the file has {vertices} vertices, counted from 0") });
     }
     Ok(index as u32)
 }
 
 fn no_number(value: f64) -> Wrong {
-    Wrong { problem: format!("expected a number, found `{value}`"), help: "numbers are finite, to 1e30".to_owned() }
+    Wrong {
+        problem: format!("expected a number, found `{value}`"),
+        help: "numbers must be finite, up to 1e30 in magnitude".to_owned(),
+    }
 }
 
 /// Reads a property: a number, or all items of a list.

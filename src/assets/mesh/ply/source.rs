@@ -44,8 +44,9 @@ pub(super) trait Source {
         }
         // The last word needs no separator after it.
         if count.saturating_mul(least) > left + 1 {
-            let problem =
-                format!("the header says {count} elements `{name}` of {least} bytes or more, and {left} bytes follow");
+            let problem = format!(
+                "the header declares {count} elements `{name}` of at least {least} bytes, and {left} bytes remain"
+            );
             return Err(Wrong::new(problem));
         }
         Ok(())
@@ -56,7 +57,7 @@ pub(super) trait Source {
         let (count, left) = (self.number(kind)?, self.left());
         if !(0.0..=left as f64 / Self::least(property.kind) as f64 + 1.0).contains(&count) || count.fract() != 0.0 {
             let name = &property.name;
-            return Err(Wrong::new(format!("a list `{name}` of {count}, and {left} bytes follow")));
+            return Err(Wrong::new(format!("a list `{name}` has the length {count}, and {left} bytes remain")));
         }
         Ok(count as u64)
     }
@@ -108,7 +109,7 @@ impl Source for Words<'_> {
 
     fn begin(&mut self, element: &Element) -> Result<(), Wrong> {
         if let Some(word) = self.next() {
-            return Err(Wrong::new(format!("`{word}` is more than the header says of the element on this line")));
+            return Err(Wrong::new(format!("the header declares no value `{word}` for the element on this line")));
         }
         self.stage.reach(self.line.1 as f64);
         loop {
@@ -117,7 +118,9 @@ impl Source for Words<'_> {
             if rest.is_empty() {
                 self.word = (start, start);
                 let (count, name) = (element.count, &element.name);
-                return Err(Wrong::new(format!("the file ends; the header says {count} elements `{name}`")));
+                return Err(Wrong::new(format!(
+                    "unexpected end of file: the header declares {count} elements `{name}`"
+                )));
             }
             let length = rest.find('\n').map_or(rest.len(), |i| i + 1);
             self.line = (start, start + length);
@@ -133,13 +136,15 @@ impl Source for Words<'_> {
             self.line = (self.line.1, self.text.len());
             self.next()
         });
-        more.map_or(Ok(()), |word| Err(Wrong::new(format!("`{word}` follows the last element that the header names"))))
+        more.map_or(Ok(()), |word| {
+            Err(Wrong::new(format!("`{word}` follows the last element that the header declares")))
+        })
     }
 
     fn number(&mut self, _: Stored) -> Result<f64, Wrong> {
         match self.next() {
             Some(word) => word.parse().map_err(|_| Wrong::new(format!("expected a number, found `{word}`"))),
-            None => Err(Wrong::new("the line ends; the header says more numbers".to_owned())),
+            None => Err(Wrong::new("the line ends, and the header declares more numbers".to_owned())),
         }
     }
 }
@@ -185,13 +190,13 @@ impl Source for Binary<'_> {
         if are_padding(rest) {
             return Ok(());
         }
-        Err(Wrong::new(format!("{} bytes follow the last element that the header names", rest.len())))
+        Err(Wrong::new(format!("{} bytes follow the last element that the header declares", rest.len())))
     }
 
     fn number(&mut self, kind: Stored) -> Result<f64, Wrong> {
         self.last = self.bytes.at;
         let size = kind.bytes();
-        let short = |_| Wrong::new(format!("the file ends; {size} more bytes were expected"));
+        let short = |_| Wrong::new(format!("unexpected end of file, expected {size} more bytes"));
         Ok(kind.number(self.bytes.take_some(size).map_err(short)?, !self.is_big))
     }
 }

@@ -129,7 +129,7 @@ fn pictures_within_get_files_of_their_own() {
     assert_eq!(scene.materials[1].color, Pattern::Constant(DVec3::new(1.0, 0.0, 1.0)));
     let told = case.imported.left_out.join("\n");
     for said in [
-        "images of the format WebP, which bentray does not support; convert them to PNG or JPEG and export again (of \
+        "images in the format WebP, which bentray does not support; convert them to PNG or JPEG and export again (of \
          `image 1`)",
         "which become magenta",
         "which are replaced by their means",
@@ -160,7 +160,7 @@ fn textures_without_an_image_of_their_own_are_told() {
     let told = case.imported.left_out.join("\n");
     assert!(!told.contains("4294967295"), "{told}");
     for said in
-        ["images of the format WebP", "(of `tiles`)", "textures without an image (of `material 2`, `material 3`)"]
+        ["images in the format WebP", "(of `tiles`)", "textures without an image (of `material 2`, `material 3`)"]
     {
         assert!(told.contains(said), "{told}");
     }

@@ -17,15 +17,15 @@ fn what_is_wrong_is_named_as_the_file_names_it() {
     };
     let many = 4_000_000_000_u64;
     for (path, value, said) in [
-        ("/asset/version", json!("1.0"), "it is of glTF 1.0, and 2.0 is read"),
-        ("/buffers/0/byteLength", json!(many), "buffers[0] is said to have 4000000000 bytes, and has 60"),
+        ("/asset/version", json!("1.0"), "glTF 1.0 is not supported; use glTF 2.0"),
+        ("/buffers/0/byteLength", json!(many), "buffers[0] declares 4000000000 bytes, and has 60"),
         (
             "/bufferViews/0/byteLength",
             json!(many),
-            "bufferViews[0] is of 4000000000 bytes from byte 0, and the buffer has 60",
+            "bufferViews[0] has 4000000000 bytes from byte 0, and the buffer has 60",
         ),
         ("/bufferViews/0/byteOffset", json!(u64::MAX), "bufferViews[0] is of 48 bytes from byte 18446744073709551615"),
-        ("/bufferViews/0/buffer", json!(1), "bufferViews[0]: there is no buffers[1]; there are 1, counted from 0"),
+        ("/bufferViews/0/buffer", json!(1), "bufferViews[0] refers to buffers[1], and there are 1, counted from 0"),
         (
             "/accessors/0/count",
             json!(many),
@@ -33,32 +33,28 @@ fn what_is_wrong_is_named_as_the_file_names_it() {
         ),
         ("/accessors/0/count", json!(u64::MAX), "accessors[0] is of 18446744073709551615 elements"),
         ("/accessors/0/bufferView", json!(7), "accessors[0]: there is no bufferViews[7]"),
-        ("/accessors/0/componentType", json!(5124), "accessors[0] has a `type` or `componentType` that there is not"),
+        ("/accessors/0/componentType", json!(5124), "accessors[0] has an invalid `type` or `componentType`"),
         (
             "/accessors/0/type",
             json!("VEC2"),
-            "accessors[0] is of Vec2, and meshes[0].primitives[0].attributes.POSITION needs Vec3",
+            "accessors[0] is of type Vec2, and meshes[0].primitives[0].attributes.POSITION requires Vec3",
         ),
         (
             "/accessors/0",
             json!({ "count": many, "componentType": 5126, "type": "VEC3" }),
-            "accessors[0] is of 4000000000 elements of no buffer, and the file has",
+            "accessors[0] has 4000000000 elements and no buffer view, and the file has",
         ),
         (
             "/accessors/0/count",
             json!(3),
             "meshes[0].primitives[0]: index 5 is 3, and there are 3 vertices, counted from 0",
         ),
-        (
-            "/meshes/0/primitives/0/mode",
-            json!(1),
-            "the mesh has no triangles with an area: it has primitives of lines (1)",
-        ),
-        ("/meshes/0/primitives/0/mode", json!(9), "meshes[0].primitives[0] has a `mode` that there is not"),
-        ("/meshes/0/primitives/0/indices", json!(5), "meshes[0].primitives[0].indices: there is no accessors[5]"),
+        ("/meshes/0/primitives/0/mode", json!(1), "the mesh has no triangles with an area: it has line primitives (1)"),
+        ("/meshes/0/primitives/0/mode", json!(9), "meshes[0].primitives[0] has an invalid `mode`"),
+        ("/meshes/0/primitives/0/indices", json!(5), "meshes[0].primitives[0].indices refers to accessors[5]"),
         ("/meshes/0/primitives/0/attributes", json!({}), "meshes[0].primitives[0] has no POSITION"),
         ("/meshes/0/primitives/0/attributes", json!({ "POSITION": 0, "NORMAL": 1 }), "accessors[1] is of Scalar"),
-        ("/nodes/0/mesh", json!(3), "nodes[0]: there is no meshes[3]"),
+        ("/nodes/0/mesh", json!(3), "nodes[0] refers to meshes[3], which does not exist"),
         ("/nodes/0", json!({ "mesh": 0, "scale": [1e38, 1, 1], "translation": [0, 0, 0] }), "vertex 1 is at "),
     ] {
         let told = changed(path, value);
@@ -74,25 +70,31 @@ fn what_is_wrong_is_named_as_the_file_names_it() {
     let mut all = whole.clone();
     (all["nodes"], all["scenes"]) = (loops, json!([{ "nodes": [0] }]));
     let told = load("a.glb", &glb(&all.to_string(), &made.bytes)).expect_err("an error").to_string();
-    assert!(told.contains("nodes[0] has two places: nodes are trees"), "{told}");
+    assert!(told.contains("nodes[0] is used twice, but nodes must form a tree"), "{told}");
     let told = with("extensionsRequired", json!(["KHR_texture_transform", "KHR_draco_mesh_compression"]));
-    assert!(told.contains("it requires the extension `KHR_draco_mesh_compression`, which is not read"), "{told}");
+    assert!(told.contains("the required extension `KHR_draco_mesh_compression` is not supported"), "{told}");
     assert!(with("extensionsRequired", json!(["EXT_meshopt_compression"])).contains("`EXT_meshopt_compression`"));
 
     // A location is a line in a text file and an offset in a binary file.
     let told = load("a.gltf", b"{\n  \"asset\": { \"version\": 2 }\n}").expect_err("an error").to_string();
-    assert!(told.contains("a.gltf:2:25: not glTF: invalid type: integer `2`, expected a string"), "{told}");
+    assert!(told.contains("a.gltf:2:25: not valid glTF: invalid type: integer `2`, expected a string"), "{told}");
     let file = glb(&whole.to_string(), &made.bytes);
     let cut = load("a.glb", &file[..100]).expect_err("an error").to_string();
-    assert!(cut.contains(&format!("at byte 8: the file is said to have {} bytes, and has 100", file.len())), "{cut}");
+    assert!(
+        cut.contains(&format!("at byte 8: the header declares {} bytes, and the file has 100", file.len())),
+        "{cut}"
+    );
     let mut forged = file.clone();
     forged[12..16].copy_from_slice(&(many as u32).to_le_bytes());
     let told = load("a.glb", &forged).expect_err("an error").to_string();
-    assert!(told.contains("at byte 12: a part is said to have 4000000000 bytes, and "), "{told}");
+    assert!(told.contains("at byte 12: a chunk declares 4000000000 bytes, and "), "{told}");
     // Only padding may follow.
     assert!(load("a.glb", &[&file[..], b"\0\n"].concat()).is_ok());
     let told = load("a.glb", &[&file[..], b"more"].concat()).expect_err("an error").to_string();
-    assert!(told.contains(&format!("is said to have {} bytes, and has {}", file.len(), file.len() + 4)), "{told}");
+    assert!(
+        told.contains(&format!("the header declares {} bytes, and the file has {}", file.len(), file.len() + 4)),
+        "{told}"
+    );
     let mut external = whole;
     external["buffers"][0]["uri"] = json!("none.bin");
     let told = load("a.gltf", external.to_string().as_bytes()).expect_err("an error").to_string();
