@@ -149,7 +149,7 @@ fn parameters_have_names_that_the_file_uses() {
     let wgsl =
         "fn law_acceleration(x: Real3, held: Real) -> Real3 {\n    let all = law;\n    return -all.pull * x;\n}\n";
     for (parameters, wanted) in [
-        ("pull = 1, push = 2", "the law's file does not use `push`"),
+        ("pull = 1, push = 2", "the WGSL file of the law does not use `push`"),
         ("pull = 1, \"2x\" = 2", "`2x` is not a valid WGSL name"),
         ("pull = [1, 2, 3, 4, 5]", "expected a number, or an array of 2 to 4"),
     ] {

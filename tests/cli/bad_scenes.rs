@@ -42,7 +42,7 @@ const WRITTEN: &[Case] = &[
             "use `dormand-prince`; choices: auto, exact, planar, separated, euler",
         ],
     ),
-    ("[image]\nsize = [8, 8]\n", &["scene.toml:1:1: the table [rays] is missing", "help: "]),
+    ("[image]\nsize = [8, 8]\n", &["scene.toml:1:1: missing table [rays]", "help: "]),
 ];
 
 /// Values.

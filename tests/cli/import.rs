@@ -104,7 +104,7 @@ fn nothing_is_replaced_and_a_wrong_file_leaves_nothing() {
         .fails(1, &["cannot use the mesh `cut.glb`: at byte 8: the header declares "]);
     folder.run("import none.glb -o cut.toml").fails(1, &["cannot read `none.glb`"]);
     folder.write("empty.gltf", r#"{ "asset": { "version": "2.0" } }"#);
-    folder.run("import empty.gltf -o cut.toml").fails(1, &["its scene has no triangles"]);
+    folder.run("import empty.gltf -o cut.toml").fails(1, &["the scene of the file has no triangles"]);
     assert!(!folder.names().contains(&"cut.toml".to_owned()));
 }
 

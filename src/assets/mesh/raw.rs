@@ -104,7 +104,7 @@ impl Raw {
     pub(super) fn nothing(&self) -> String {
         let has = match &self.left_out()[..] {
             [] => String::new(),
-            kinds => format!(": it has {}", kinds.join(", ")),
+            kinds => format!("; it has {}", kinds.join(", ")),
         };
         format!("the mesh has no triangles with an area{has}")
     }

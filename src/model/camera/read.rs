@@ -128,7 +128,7 @@ fn on_worldline(table: &TableReader, node: &Node, law: Option<&dyn Law>) -> Opti
             let frame = CameraFrame::Boosted(event.velocity(law)?);
             return Some(Seat { position: event.x, frame, time: event.t });
         }
-        Err(NoPath::NotLater(i)) => (items[i].fault("this event is not later than the one before", ""), ""),
+        Err(NoPath::NotLater(i)) => (items[i].fault("this event is not later than the previous event", ""), ""),
         Err(NoPath::TooFast(i)) => (
             items[i].fault("the observer would reach this event at the speed of light or faster", ""),
             "increase the time of this event",
@@ -185,7 +185,7 @@ fn stereo(table: &TableReader, [width, height]: [u32; 2]) -> Option<Stereo> {
 fn axes(table: &TableReader, position: DVec3, look_at: DVec3, up: DVec3) -> Option<[DVec3; 3]> {
     let Some(forward) = (look_at - position).try_normalize() else {
         let problem = "the camera looks at its own position";
-        let help = "look_at, by default [0, 0, 0], must differ from position";
+        let help = "change `look_at`, by default [0, 0, 0], or `position`";
         table.fault(&["look_at", "position"], problem, help);
         return None;
     };

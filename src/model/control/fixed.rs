@@ -9,7 +9,7 @@ pub static KIND: Kind = Kind {
     name: "fixed",
     keys: keys! {
         step (" (the others choose their steps)"): "number above 0" = "none",
-            "step length, in τ; excludes curvature_step";
+            "step length, in τ; cannot be combined with curvature_step";
     },
     parts: &["method/control/planned", "method/control/fixed"],
     values: |control| row! { step: Float(control.setting), eta: Float(control.cap) },

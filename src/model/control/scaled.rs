@@ -8,7 +8,7 @@ use crate::model::row;
 
 /// η, which is the setting of this control and the cap of all others except the exact one.
 pub const SCALED_STEP: Key = keys! {
-    scaled_step: "number above 0" = "0.1; 0.5 beside step or curvature_step; 0.3 for doubling and embedded methods",
+    scaled_step: "number above 0" = "0.1; 0.5 with step or curvature_step; 0.3 for doubling and embedded methods",
         "η: a step is η times the length scale of the law at that position, or at most that if another key sets the step; for planar, radians around the center";
 }[0];
 

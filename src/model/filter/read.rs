@@ -31,7 +31,8 @@ pub(crate) fn reference() -> Vec<KeyReference> {
             emission: "[red, green, blue]" = "[0, 0, 0]", "radiance that the medium adds, per unit length";
             center: "[x, y, z]" = "the object's, or [0, 0, 0]", "origin of x, y, z and r; scene units";
             tolerance: "number above 0 and below 1" = "0.001",
-                "how far the optical depths of a piece of path and of its halves may differ; else it is cut again";
+                "tolerance for the difference between the optical depth of a piece of a path and the sum over its \
+                 halves; pieces above it are divided";
         }
     }
 }

@@ -15,7 +15,8 @@ pub static KIND: Kind = Kind {
     keys: keys! {
         mass: "number above 0" = "1", "M, scene units (G = c = 1)";
         charge: "number" = "0", "Q, in scene units; above M there is no horizon, and no ray is captured";
-        cosmological_constant: "number" = "0", "Λ, in inverse scene units squared; changes what observers see, but no path";
+        cosmological_constant: "number" = "0",
+            "Λ, in inverse scene units squared; affects the measurements of observers, not the paths of light";
         center: "[x, y, z]" = "[0, 0, 0]", "position of the black hole";
         axis: "[x, y, z]" = "[0, 0, 1]", "axis of orbiting matter and observers, counterclockwise seen from its tip";
     },

@@ -198,7 +198,7 @@ impl<'a> Facts<'a> {
             order: Order::Flow,
             ignores_direction: Some(SAME),
             refuses_sent_light: Some(SAME),
-            refuses_surfaces: Some("an orbit of a flow has no direction of its own"),
+            refuses_surfaces: Some("in a flow, the position of a ray determines its direction"),
             ..Self::default()
         }
     }

@@ -86,7 +86,7 @@ impl Throat {
     /// Implements [`Law::refuses_eye`](super::Law::refuses_eye).
     pub(super) fn refuses_eye(&self, at: DVec3) -> Option<[String; 2]> {
         let (away, rim) = (self.offset(at).0.length(), self.rim());
-        let problem = || format!("is inside the mouth's sphere: {away:.4} ≤ {rim:.4}");
+        let problem = || format!("is inside the sphere of the mouth: {away:.4} ≤ {rim:.4}");
         (away <= rim).then(|| [problem(), "move it out of the throat, which is this sphere".to_owned()])
     }
 

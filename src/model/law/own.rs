@@ -31,7 +31,8 @@ pub static KIND: Kind = Kind {
     keys: keys! {
         file: "file" = "required", "WGSL file of the law";
         depends: "place | velocity | time | flow" = "place",
-            "what the acceleration depends on, which determines the functions of the file; flow for a first-order law, which gives the velocity";
+            "variables of the acceleration, which determine the functions of the file; flow for a first-order law, \
+             which defines the velocity";
         scale: "number above 0" = "1",
             "length scale of the law, in scene units (time scale of a flow); steps are a fraction of it, unless the file defines law_scale";
         capture_spheres: "[[x, y, z, radius], ...]" = "[]", "spheres that capture inward rays, in scene units";
@@ -102,7 +103,7 @@ fn is_used(name: &str, node: &Node, text: Option<&str>) -> Read<()> {
         return Ok(());
     }
     Err(node.fault(
-        format!("the law's file does not use `{name}`"),
+        format!("the WGSL file of the law does not use `{name}`"),
         format!("use law.{name} there, or remove this parameter"),
     ))
 }

@@ -172,7 +172,7 @@ impl Law for Sources {
     fn landmarks(&self) -> Vec<Landmark> {
         let both = |source: &Source| {
             let sphere = |name, radius, captures| Landmark::sphere(name, source.anchor.position, radius, captures);
-            [sphere("capture", source.capture, true), sphere("reach of a source", source.falloff.reach(), false)]
+            [sphere("capture", source.capture, true), sphere("range of a source", source.falloff.reach(), false)]
         };
         self.0.iter().filter(|source| source.anchor.kind.is_point).flat_map(both).collect()
     }

@@ -38,7 +38,7 @@ fields! {
 fn formula(table: &TableReader, node: &Node) -> Option<Formula> {
     let reader = table.reader;
     let Ok(written) = text(node) else {
-        reader.fault(node.fault("expected a formula, in quotes", "for one index everywhere use kind = \"constant\""));
+        reader.fault(node.fault("expected a formula, in quotes", "for a constant index, use kind = \"constant\""));
         return None;
     };
     match Formula::parse(written) {

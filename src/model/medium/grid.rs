@@ -16,8 +16,8 @@ pub static KIND: Kind = Kind {
     keys: keys! {
         file: "file" = "required",
             "samples of the index, n = offset + scale · value, with Catmull–Rom interpolation: NRRD if the name ends in .nrrd or .nhdr, otherwise raw numbers, x fastest";
-        min: "[x, y, z]" = "as the NRRD file says, or required", "position of the first sample, in scene units; with max";
-        max: "[x, y, z]" = "as the NRRD file says, or required",
+        min: "[x, y, z]" = "from the NRRD file, or required", "position of the first sample, in scene units; with max";
+        max: "[x, y, z]" = "from the NRRD file, or required",
             "position of the last sample; outside the grid, the index has its value at the border";
         scale: "number other than 0" = "1", "see file";
         offset: "number" = "0", "see file";

@@ -212,10 +212,10 @@ const CENTER: Key = keys! {
 const RADIUS: Key = keys! { radius: "number above 0" = "the object's, or required", "R, scene units"; }[0];
 /// The key `origin`.
 const ORIGIN: Key = keys! {
-    origin: "[x, y, z]" = "the object's center, or [0, 0, 0]", "a point of height 0";
+    origin: "[x, y, z]" = "the object's center, or [0, 0, 0]", "a point at height 0";
 }[0];
 /// The key `up`.
-const UP: Key = keys! { up: "[x, y, z]" = "[0, 1, 0]", "where height grows"; }[0];
+const UP: Key = keys! { up: "[x, y, z]" = "[0, 1, 0]", "direction of increasing height"; }[0];
 
 fn center(table: &TableReader, around: Surroundings) -> DVec3 {
     table.or("center", around.center, vector)

@@ -277,8 +277,8 @@ pub fn method_words(method: Method, control: Control) -> String {
 /// Returns the reference rows of the keys that methods read.
 #[must_use]
 pub fn reference() -> Vec<KeyReference> {
-    let meaning = "the integrator; auto finds the cheapest at the accuracy. By default exact if no light is bent, \
-                   otherwise a method for the given steps or tolerance, otherwise auto";
+    let meaning = "the integrator; auto chooses the fastest method that reaches the accuracy. By default exact if no \
+                   light is bent, otherwise a method for the given steps or tolerance, otherwise auto";
     let all = names();
     let keys: Vec<Vec<Key>> = all.iter().map(|(_, named)| named.keys()).collect();
     let kinds = all.iter().zip(&keys).map(|((name, _), keys)| (&**name, &**keys));

@@ -15,7 +15,8 @@ pub static KIND: Kind = Kind {
     name: "mesh",
     keys: keys! {
         file: "file" = "required", "OBJ, PLY, STL or glTF file";
-        node: "name, or a whole number from 0" = "all of the file's scene", "glTF only: node whose mesh is used, with its transform in the scene of the file";
+        node: "name, or a whole number from 0" = "the whole scene of the file",
+            "glTF only: node whose mesh is used, with its transform in the scene of the file";
         primitive: "whole number from 0" = "all", "glTF only: index of the primitive of that mesh; each primitive has its own material";
         crease: "number, 0 to 180" = "30",
             "angle in degrees below which adjoining faces are shaded smoothly, for files without normals; 0 shades every face flat";

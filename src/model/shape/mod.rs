@@ -174,8 +174,8 @@ fn ball(radius: f64, place: &Transform) -> (DVec3, f64) {
 same!(Shape);
 
 /// The key `center`.
-const CENTER: Key = keys! { center: "[x, y, z]" = "[0, 0, 0]", "its middle, scene units"; }[0];
+const CENTER: Key = keys! { center: "[x, y, z]" = "[0, 0, 0]", "the center of the shape, in scene units"; }[0];
 /// The key `radius`.
 const RADIUS: Key = keys! { radius: "number above 0" = "1", "scene units"; }[0];
 /// The key `normal`.
-const NORMAL: Key = keys! { normal: "[x, y, z]" = "[0, 1, 0]", "where it faces"; }[0];
+const NORMAL: Key = keys! { normal: "[x, y, z]" = "[0, 1, 0]", "direction of the normal"; }[0];

@@ -16,7 +16,7 @@ pub static KIND: Kind = Kind {
     keys: &[
         CENTER,
         NORMAL,
-        keys! { size: "[width, depth], above 0" = "twice the bound's radius", "edge lengths, in scene units"; }[0],
+        keys! { size: "[width, depth], above 0" = "2 × bounding_sphere.radius", "edge lengths, in scene units"; }[0],
     ],
     read: |table, across, _| {
         let place = upright(table, "normal");

@@ -29,7 +29,7 @@ const PRECISIONS: &[(&str, Option<Precision>)] = &[
 /// Returns the table, which every scene must have.
 pub fn table<'r, 'a>(root: &TableReader<'r, 'a>) -> Option<TableReader<'r, 'a>> {
     if root.node("rays").is_none() {
-        let problem = "the table [rays] is missing";
+        let problem = "missing table [rays]";
         let help = "add [rays] with bounding_sphere = { radius = 50 }";
         root.fault(&[], problem, help);
         return None;

@@ -33,7 +33,7 @@ pub fn check(root: &TableReader, camera: Option<&Camera>, bound: Option<Bound>, 
     if optics.objects.iter().any(goes_on) {
         fault(
             "its material reflects or transmits rays, which is supported only for static objects",
-            "give it another material",
+            "use another material",
         );
     }
     let centers = bound.map(|bound| (bound.centers(optics.law), bound.radius));

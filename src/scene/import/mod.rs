@@ -64,7 +64,7 @@ pub fn import(file: &Gltf, scene: &Path) -> Result<Imported, SceneError> {
     let mut surfaces = Surfaces::new(file, folder, &stem);
     let (objects, extent) = objects(file, &nodes, &relative(file.path(), folder), &mut surfaces, &mut left)?;
     let Some(extent) = extent else {
-        let problem = "its scene has no triangles".to_owned();
+        let problem = "the scene of the file has no triangles".to_owned();
         return Err(SceneError::Mesh { path: file.path().to_owned(), problem });
     };
     let (camera, eyes) = views::cameras(file, &nodes, &extent, &mut left);

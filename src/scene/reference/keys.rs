@@ -87,7 +87,7 @@ pub(super) fn fixed() -> Vec<KeyReference> {
             bounding_sphere: "{ center, radius }" = "required", "sphere that encloses all objects; rays that leave it escape";
             segment: "arc | chord" = "arc",
                 "curve that is tested against objects: the arc of each step, or one chord over several steps";
-            arc_tolerance if r#"segment = "arc""#: "number above 0" = "1e-4 of the bound's radius",
+            arc_tolerance if r#"segment = "arc""#: "number above 0" = "1e-4 × bounding_sphere.radius",
                 "maximum distance between an arc and its chords, in scene units";
             steps_per_segment if r#"segment = "chord""#: "whole number, 1 to 1000" = "10", "steps per chord";
             max_segments: "whole number, 1 to 1000000" = "1000", "segments after which a ray stops; with method = \"auto\", four times as many";
@@ -172,7 +172,7 @@ pub(super) fn fixed() -> Vec<KeyReference> {
                 "subdivisions per axis of voxels with strongly varying light: caustics, shadow edges, surfaces; 1 for none";
             paths if r#"shadows = "photon-grid""#: "whole number, 1024 to 67108864" = "2 voxels³, at least 65536",
                 "rays traced from the light, plus four times as many for subdivided voxels; more rays mean less noise";
-            min_distance if r#"shadows = "curved-rays""#: "number above 0" = "0.001 times the bound's radius",
+            min_distance if r#"shadows = "curved-rays""#: "number above 0" = "0.001 × bounding_sphere.radius",
                 "minimum effective distance, in scene units; limits the brightness of caustics";
             position if r#"kind = "point""#: "[x, y, z]" = "required", "scene units";
             direction if r#"kind = "directional""#: "[x, y, z]" = "required", "direction in which the light travels";
@@ -183,7 +183,7 @@ pub(super) fn fixed() -> Vec<KeyReference> {
             shutter: "number, 0 to 1" = "0",
                 "motion blur: fraction of the frame interval during which the shutter is open, starting at the time of the frame";
             shutter_samples: "power of two, 2 to 1024" = "64",
-                "maximum number of moments per frame while the shutter is open; each gets a share of the samples";
+                "maximum number of shutter times per frame; the samples of a pixel are divided among them";
             tracks: "array of tables" = "[]", "keys that change; without --frames, they have the values of the rest of the file";
         }
         "animation.tracks" {

@@ -133,7 +133,7 @@ fn an_unknown_statement_of_an_obj_is_a_mistake() {
     let left_out = obj(&format!("{SQUARE}{geometry}")).expect("a mesh").left_out;
     assert_eq!(left_out, ["free-form curves (3)", "free-form surfaces (2)", "lines (3)", "points (2)"]);
     let told = obj("v 0 0 0\nv 1 0 0\nl 1 2\n").expect_err("an error");
-    assert!(told.contains("the mesh has no triangles with an area: it has lines (1)"), "{told}");
+    assert!(told.contains("the mesh has no triangles with an area; it has lines (1)"), "{told}");
 }
 
 #[test]

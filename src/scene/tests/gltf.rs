@@ -255,7 +255,7 @@ fn parts_are_chosen_by_name_and_number() {
     assert_eq!(ask(number(1), None), Ok(DVec3::Z));
     assert_eq!(ask(None, None), Ok(DVec3::ZERO));
     for (asked, said) in [
-        (ask(named("once"), Some(1)), "the mesh has no triangles with an area: it has point primitives (1)"),
+        (ask(named("once"), Some(1)), "the mesh has no triangles with an area; it has point primitives (1)"),
         (ask(named("onze"), None), "the file has no node `onze` with a mesh; use `once`"),
         (ask(named("eye"), None), "the file has no node `eye` with a mesh"),
         (ask(number(9), None), "has no node 9 with a mesh"),

@@ -49,7 +49,7 @@ fn what_is_wrong_is_named_as_the_file_names_it() {
             json!(3),
             "meshes[0].primitives[0]: index 5 is 3, and there are 3 vertices, counted from 0",
         ),
-        ("/meshes/0/primitives/0/mode", json!(1), "the mesh has no triangles with an area: it has line primitives (1)"),
+        ("/meshes/0/primitives/0/mode", json!(1), "the mesh has no triangles with an area; it has line primitives (1)"),
         ("/meshes/0/primitives/0/mode", json!(9), "meshes[0].primitives[0] has an invalid `mode`"),
         ("/meshes/0/primitives/0/indices", json!(5), "meshes[0].primitives[0].indices refers to accessors[5]"),
         ("/meshes/0/primitives/0/attributes", json!({}), "meshes[0].primitives[0] has no POSITION"),
