@@ -19,8 +19,8 @@ pub static KIND: Kind = Kind {
         min: "[x, y, z]" = "from the NRRD file, or required", "position of the first sample, in scene units; with max";
         max: "[x, y, z]" = "from the NRRD file, or required",
             "position of the last sample; outside the grid, the index has its value at the border";
-        scale: "number other than 0" = "1", "see file";
-        offset: "number" = "0", "see file";
+        scale: "number other than 0" = "1", "see `file`";
+        offset: "number" = "0", "see `file`";
         size (", unless the file is NRRD"): "[nx, ny, nz], 2 or more" = "required", "samples along x, y and z";
         type (", unless the file is NRRD"): "i8 | u8 | i16 | u16 | i32 | u32 | i64 | u64 | f32 | f64" = "required", "data type of a sample";
         endian (", unless the file is NRRD"): "little | big" = "little", "byte order of a sample";

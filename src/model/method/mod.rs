@@ -283,5 +283,5 @@ pub fn reference() -> Vec<KeyReference> {
     let keys: Vec<Vec<Key>> = all.iter().map(|(_, named)| named.keys()).collect();
     let kinds = all.iter().zip(&keys).map(|((name, _), keys)| (&**name, &**keys));
     let kinds: Vec<(&str, &[Key])> = std::iter::once(("auto", [].as_slice())).chain(kinds).collect();
-    kind_rows("rays", ("method", "see there", meaning), &kinds)
+    kind_rows("rays", ("method", "see the meaning", meaning), &kinds)
 }
