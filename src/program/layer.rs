@@ -107,18 +107,23 @@ impl Layer {
     #[must_use]
     pub fn meaning(self) -> &'static str {
         match self {
-            Self::Depth => "Number of segments along the path, with a fraction",
-            Self::Position => "Position of the end of the ray",
+            Self::Depth => "Length of the path from the camera to the surface, in scene units; 1e10 if it hit nothing",
+            Self::Segments => "Segments along the path, including a fraction",
+            Self::Position => "Position at which the ray ended",
             Self::Normal => "Surface normal",
-            Self::Object => "Number of the object, counted from 1; 0 if none",
+            Self::Object => "Index of the object that was hit, as in `objects[7]`; -1 for none",
             Self::Status => "Termination status of the ray",
             Self::Steps => "Integration steps",
-            Self::Shift => "Redshift factor g: observed frequency divided by emitted frequency",
-            Self::Samples => "Number of rays of the pixel",
-            Self::Error => "Standard error of the pixel's mean luminance, with path tracing or adaptive sampling",
-            Self::Sums => "Sums of the samples of a path-traced image, for --continue",
-            Self::Spread => "Sum of the squared deviations of these samples, for --continue",
-            Self::Orders => "Luminance of light from the first, second and third crossing of a translucent surface",
+            Self::Redshift => "Redshift factor g: observed frequency divided by emitted frequency",
+            Self::Samples => "Rays traced for the pixel",
+            Self::StandardError => {
+                "Standard error of the pixel's mean luminance, with path tracing or adaptive sampling"
+            }
+            Self::Accumulated => "Sums of the samples of a path-traced image, from which --continue resumes",
+            Self::LuminanceM2 => "Sum of the squared deviations of the samples' luminance from its mean, likewise",
+            Self::ImageOrder => {
+                "Luminance of the light from the first, second and third crossing of a translucent surface"
+            }
             Self::Way => "Direction of the ray at its end",
         }
     }

@@ -264,7 +264,7 @@ fn every_key_is_in_the_guide_and_no_other() {
     folder.run("render scene.toml -o {frame}.png --frames all").succeeds();
     keys(&folder.run(&format!("farm finish {job} --json")).succeeds().object(), &mut printed);
 
-    let page = bentray::guide::pages().find(|page| page.name == "scripts").unwrap().text;
+    let page = bentray::guide::pages().find(|page| page.name == "json").unwrap().text;
     let prose: String = page.split("```").step_by(2).collect();
     let is_key = |word: &&str| word.chars().all(|c| c.is_ascii_lowercase() || c.is_ascii_digit() || c == '_');
     let said: BTreeSet<String> = prose.split('`').skip(1).step_by(2).filter(is_key).map(str::to_owned).collect();

@@ -17,7 +17,7 @@ fn a_picture_carries_its_measured_error() {
         "rays against a reference solution (f64",
         "angle (rad)",
         "position",
-        "depth",
+        "τ",
         "with a wrong end",
         "unresolved",
     ] {

@@ -36,11 +36,12 @@ fn bands(width: u32, heights: &[u32]) -> Vec<Band> {
             alpha: Some(plane(11)),
             layers: vec![
                 (Layer::Steps, id(u32::MAX)),
+                (Layer::Depth, Plane::Scalar(plane(22))),
                 (Layer::Segments, Plane::Scalar(plane(4))),
                 (Layer::Redshift, Plane::Scalar(plane(18))),
                 (Layer::Position, Plane::Vector([5, 6, 7].map(plane))),
                 (Layer::Normal, Plane::Vector([8, 9, 10].map(plane))),
-                (Layer::Object, id(1)),
+                (Layer::Object, Plane::Scalar(plane(17))),
                 (Layer::Status, id(3)),
                 (Layer::Samples, id(5)),
                 (Layer::StandardError, Plane::Scalar(plane(12))),
@@ -140,7 +141,7 @@ fn exr_carries_only_the_layers_asked_for() {
         FileSettings { layers: vec![Layer::Steps, Layer::Segments, Layer::Segments], ..FileSettings::new([5, 4]) };
     write(&path, &settings, &bands(5, &[4]));
     let names: Vec<_> = exr_bits(&path).into_keys().collect();
-    assert_eq!(names, ["B", "G", "R", "Z", "steps"]);
+    assert_eq!(names, ["B", "G", "R", "segments", "steps"]);
 }
 
 #[test]
