@@ -3,7 +3,7 @@
 use std::fmt::Write as _;
 use std::path::Path;
 
-use bentray::gpu::{Before, Built, Geometry};
+use bentray::gpu::{AccelStructure, Geometry, PreviousGeometry};
 use bentray::program::{Analysis, Choice, DeviceProfile, Program, ProgramError, Schedule, Search};
 use bentray::render::{RenderSettings, Renderer, Status, Traced, trace};
 use bentray::scene::Scene;
@@ -265,8 +265,8 @@ fn a_structure_is_kept_while_nothing_moves() {
     let text =
         format!("[rays]\nbounding_sphere = {{ radius = 17 }}\n{MATERIAL}{}", shapes(&mut Random::new(7), 20, 0.3));
     let scene = |text: &str| Scene::parse(text, Path::new("scene.toml"), &[]).unwrap();
-    let after = |structure: &Built, scene: &Scene| {
-        let before = Before { structure: Some(structure.clone()), ..Before::default() };
+    let after = |structure: &AccelStructure, scene: &Scene| {
+        let before = PreviousGeometry { structure: Some(structure.clone()), ..PreviousGeometry::default() };
         Geometry::after(before, scene).structure
     };
     let first = Geometry::new(&scene(&text)).structure;

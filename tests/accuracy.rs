@@ -4,8 +4,8 @@
 use std::f64::consts::{PI, TAU};
 use std::path::Path;
 
-use bentray::chart::{Outcome, Place, default_settings};
-use bentray::measure::{Deviations, Truth, all_methods, calibrate, calibrate_for, verify};
+use bentray::chart::{Outcome, StabilityCase, default_settings};
+use bentray::measure::{ErrorStats, ReferenceSolution, all_methods, calibrate, calibrate_for, verify};
 use bentray::model::control::embedded;
 use bentray::output::csv::read_rays;
 use bentray::program::Purpose;
@@ -72,9 +72,9 @@ fn measured_errors_are_the_true_ones() {
     let impacts: Vec<f64> = (0..200).map(|i| f64::from(0.5_f32 + 0.1 * i as f32)).collect();
     let rays: Vec<_> = impacts.iter().map(|b| [-900.0, *b, 0.0, 1.0, 0.0, 0.0]).collect();
     let (ends, _) = trace(&gpu, &scene, &RenderSettings::default(), &rays).unwrap();
-    let truth = Truth::new(&gpu, &scene, 1e-13, Starts::Given(&rays)).unwrap();
+    let truth = ReferenceSolution::new(&gpu, &scene, 1e-13, Starts::Given(&rays)).unwrap();
     assert_eq!(truth.unresolved(), 0);
-    let measured = Deviations::new(&ends, &truth).angle;
+    let measured = ErrorStats::new(&ends, &truth).angle;
     let mut exact: Vec<f64> =
         ends.iter().zip(&impacts).map(|(end, b)| off(turned(end), 2.0 * (1.0 / b).atan())).collect();
     exact.sort_by(f64::total_cmp);
@@ -236,7 +236,7 @@ fn nothing_goes_wrong_in_silence() {
     let gpu = gpu();
     let by_turns = ["euler", "euler-doubling (2004)", "rkn4"];
     for (k, (name, scene, rays)) in places().into_iter().enumerate() {
-        let place = Place::new(&gpu, &name, &scene, &rays).unwrap();
+        let place = StabilityCase::new(&gpu, &name, &scene, &rays).unwrap();
         let methods = ["planar", "dormand-prince", by_turns[k % 3]];
         for outcome in place.outcomes(Some(&methods)).unwrap() {
             let Outcome { right, given_up, over, disagreeing, unresolved, silent, .. } = outcome;
@@ -251,7 +251,7 @@ fn nothing_goes_wrong_in_silence() {
 fn a_controller_without_its_cap_is_found_out() {
     let gpu = gpu();
     let (name, scene, rays) = places().into_iter().find(|(name, ..)| name == "far_start").unwrap();
-    let place = Place::new(&gpu, &name, &scene, &rays).unwrap();
+    let place = StabilityCase::new(&gpu, &name, &scene, &rays).unwrap();
     let methods = all_methods(&scene);
     let pair = methods.iter().find(|method| method.name == "dormand-prince").unwrap();
     let capped = place.outcome(pair, default_settings(pair)).unwrap();

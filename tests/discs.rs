@@ -3,7 +3,7 @@
 use bentray::model::{black_body, matter};
 use bentray::program::{Choice, Layer, Schedule};
 use bentray::render::{Plane, RenderSettings, Renderer};
-use bentray::scene::CameraFrame;
+use bentray::scene::Observer;
 use glam::DVec3;
 
 use crate::oracle::{rows, vector};
@@ -108,21 +108,19 @@ fn observers_round_holes_without_spin_move_as_they_should() {
         let axis = DVec3::new(0.0, 0.6, 0.8);
         let x = 11.0 * DVec3::new(0.0, 0.8, -0.6);
         let metric = law.metric(DVec3::new(1.0, 2.0, 3.0) + x, 0.0).unwrap();
-        let of = |frame: CameraFrame| law.observer(frame, DVec3::new(1.0, 2.0, 3.0) + x).unwrap().unwrap();
-        for frame in
-            [CameraFrame::ProgradeOrbit, CameraFrame::RetrogradeOrbit, CameraFrame::Infalling, CameraFrame::Zamo]
-        {
+        let of = |frame: Observer| law.observer(frame, DVec3::new(1.0, 2.0, 3.0) + x).unwrap().unwrap();
+        for frame in [Observer::ProgradeOrbit, Observer::RetrogradeOrbit, Observer::Infalling, Observer::Zamo] {
             let u = of(frame);
             assert!((u.dot(metric * u) + 1.0).abs() < 1e-13 && u.w > 0.0, "{frame:?}: {u}");
         }
-        let orbit = of(CameraFrame::ProgradeOrbit);
+        let orbit = of(Observer::ProgradeOrbit);
         assert!(orbit.truncate().dot(axis.cross(x)) > 0.0);
         // Of a geodesic: ∂g_tt/∂r + Ω² ∂g_φφ/∂r = 0.
         let clock = |r: f64| -law.metric(DVec3::new(1.0, 2.0, 3.0) + r / 11.0 * x, 0.0).unwrap().w_axis.w;
         let slope = (clock(11.001) - clock(10.999)) / 0.002;
         let turning = orbit.truncate().length() / (11.0 * orbit.w);
         assert!((turning * turning / (0.5 * slope / 11.0) - 1.0).abs() < 1e-6, "{turning}");
-        let falling = of(CameraFrame::Infalling);
+        let falling = of(Observer::Infalling);
         assert!(((metric * falling).w + 1.0).abs() < 1e-13 && falling.truncate().dot(x) < 0.0);
     }
 }

@@ -5,8 +5,8 @@ use std::path::Path;
 
 use bentray::gpu::Geometry;
 use bentray::program::{
-    BindingKind, Choice, DeviceProfile, Layer, Linked, Masks, Parts, Program, ProgramError, Purpose, Schedule, Unit,
-    link, validated,
+    BindingKind, Choice, DeviceProfile, Layer, LinkedProgram, Parts, Program, ProgramError, Purpose, RaySkipping,
+    Schedule, Unit, link, validated,
 };
 use bentray::scene::{Override, Precision, Rays, Scene, TEMPLATES};
 
@@ -26,7 +26,7 @@ fn declared(module: &naga::Module) -> Vec<String> {
 }
 
 /// What naga would remove from the program as unused, and variables that are filled for nobody.
-pub fn unused(linked: &Linked) -> Result<Vec<String>, ProgramError> {
+pub fn unused(linked: &LinkedProgram) -> Result<Vec<String>, ProgramError> {
     let mut module = validated(linked)?;
     let before = declared(&module);
     let idle = unread(&module).into_iter().chain(unnamed(&module, &linked.source)).collect::<Vec<_>>();
@@ -106,7 +106,7 @@ fn nothing_can_be_taken_out_of_any_program() {
         // In one pass, and half of the other schedules.
         let taken = |(k, schedule): &(usize, Schedule)| *schedule == Schedule::Whole || (i + k) % 2 == 0;
         for (_, schedule) in Schedule::ALL.into_iter().enumerate().filter(taken) {
-            for (masks, layers) in [(Masks::List, Vec::new()), (Masks::Off, Layer::ALL.to_vec())] {
+            for (masks, layers) in [(RaySkipping::List, Vec::new()), (RaySkipping::Off, Layer::ALL.to_vec())] {
                 for &purpose in purposes(schedule) {
                     let choice = Choice { schedule, masks, purpose, layers: layers.clone(), ..Choice::default() };
                     let program = Program::new(&scene, &geometry.analysis, &choice, geometry.extent()).unwrap();
@@ -145,7 +145,7 @@ const FILTERS: [&str; 6] = [
 
 /// A pass as a device gets it, with the values of its pipeline constants: then all constant expressions are evaluated once more, also those
 /// of functions.
-fn with_constants(linked: &Linked) -> Result<(), String> {
+fn with_constants(linked: &LinkedProgram) -> Result<(), String> {
     let module = naga::front::wgsl::parse_str(&linked.source).map_err(|error| error.to_string())?;
     let capabilities = naga::valid::Capabilities::default() | naga::valid::Capabilities::FLOAT64;
     let mut validator = naga::valid::Validator::new(naga::valid::ValidationFlags::all(), capabilities);
@@ -280,7 +280,7 @@ fn programs_do_not_branch_on_what_the_scene_fixes() {
 }
 
 /// A program of one function, between uniforms of every shape and what uses them all.
-fn planted(function: &str) -> Linked {
+fn planted(function: &str) -> LinkedProgram {
     let text = format!(
         "override WIDE: u32 = 1u;\nconst LEAPS: bool = false;\nconst ONE: u32 = 1u;\nconst TWO: u32 = 2u;\n\
          struct Law {{ @size(16) kind: u32, @size(16) a: f32 }}\nstruct Frame {{ first: u32 }}\nstruct Dispatch {{ first: u32 }}\n\

@@ -1,6 +1,6 @@
 //! What media take from light on its way, and add to it: against quadrature along paths in closed form.
 
-use bentray::program::{Choice, Masks, Schedule};
+use bentray::program::{Choice, RaySkipping, Schedule};
 use bentray::render::{RenderSettings, Renderer, Rendering};
 use bentray::scene::Scene;
 use glam::DVec3;
@@ -169,7 +169,7 @@ fn every_schedule_filters_alike() {
         let scene = scene(&text);
         let usual = rendered(&scene, Choice::default());
         for schedule in Schedule::ALL {
-            for masks in [Masks::List, Masks::Off] {
+            for masks in [RaySkipping::List, RaySkipping::Off] {
                 let other = rendered(&scene, Choice { schedule, masks, ..Choice::default() });
                 assert!(other.band == usual.band, "{schedule:?} {masks:?}\n{text}");
             }

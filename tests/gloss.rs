@@ -3,7 +3,7 @@
 use std::f64::consts::PI;
 
 use bentray::glam::{DVec3, dvec3};
-use bentray::program::{Choice, Masks, Schedule};
+use bentray::program::{Choice, RaySkipping, Schedule};
 use bentray::render::{RenderSettings, Renderer, Rendering, Status};
 
 use crate::support::{gpu, mean_of, scene};
@@ -164,7 +164,7 @@ fn every_schedule_draws_the_same_lobes() {
     let text = text.replace("[rays]", "[rays]\nmax_segments = 60");
     let usual = rendered(&text, Choice::default());
     for schedule in Schedule::ALL {
-        let other = rendered(&text, Choice { schedule, masks: Masks::Off, ..Choice::default() });
+        let other = rendered(&text, Choice { schedule, masks: RaySkipping::Off, ..Choice::default() });
         assert!(other.band == usual.band, "{schedule:?}");
     }
 }

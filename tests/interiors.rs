@@ -2,7 +2,7 @@
 //! have their limits.
 
 use bentray::gpu::Geometry;
-use bentray::program::{BindingKind, Choice, Layer, Masks, Program, Purpose, Schedule};
+use bentray::program::{BindingKind, Choice, Layer, Program, Purpose, RaySkipping, Schedule};
 use bentray::render::{RenderSettings, Renderer, Rendering, Status, Traced, trace};
 use bentray::scene::Scene;
 use glam::DVec3;
@@ -53,12 +53,12 @@ fn all_schedules_give_the_same_picture() {
         let mut scene = scene(text);
         scene.rays.max_segments = segments;
         let choice = |schedule, masks| Choice { schedule, masks, layers: Layer::ALL.to_vec(), ..Choice::default() };
-        let first = rendered(&scene, choice(Schedule::Fused, Masks::List));
+        let first = rendered(&scene, choice(Schedule::Fused, RaySkipping::List));
         for (schedule, masks) in [
-            (Schedule::Whole, Masks::List),
-            (Schedule::Fused, Masks::Off),
-            (Schedule::Segment, Masks::List),
-            (Schedule::Paper, Masks::Grid),
+            (Schedule::Whole, RaySkipping::List),
+            (Schedule::Fused, RaySkipping::Off),
+            (Schedule::Segment, RaySkipping::List),
+            (Schedule::Paper, RaySkipping::Grid),
         ] {
             let other = rendered(&scene, choice(schedule, masks));
             assert!(first.band == other.band, "{schedule:?}, masks {masks:?}\n{text}");
@@ -257,9 +257,11 @@ fn nothing_can_be_taken_out_of_the_programs_of_interiors() {
         let scene = Scene::load(&path, &[]).unwrap_or_else(|error| panic!("{error}"));
         let geometry = Geometry::new(&scene);
         for schedule in [Schedule::Paper, Schedule::Segment, Schedule::Fused] {
-            for (purpose, masks) in
-                [(Purpose::Picture, Masks::List), (Purpose::Picture, Masks::Off), (Purpose::Trace, Masks::Grid)]
-            {
+            for (purpose, masks) in [
+                (Purpose::Picture, RaySkipping::List),
+                (Purpose::Picture, RaySkipping::Off),
+                (Purpose::Trace, RaySkipping::Grid),
+            ] {
                 let choice = Choice { schedule, masks, purpose, ..Choice::default() };
                 let program = Program::new(&scene, &geometry.analysis, &choice, geometry.extent()).unwrap();
                 for (pass, linked, reflection) in &program.passes {

@@ -1,7 +1,7 @@
 //! Grids of light directions: what lies in their voxels, against closed forms and against shooting.
 
-use bentray::gpu::LightField;
-use bentray::program::{Choice, Masks, Schedule};
+use bentray::gpu::LightGridData;
+use bentray::program::{Choice, RaySkipping, Schedule};
 use bentray::render::{LightReport, RenderError, RenderSettings, Renderer, light_grids, light_paths};
 use glam::DVec3;
 
@@ -11,7 +11,7 @@ const WALLS: &str = "[materials.wall]\nkind = \"phong\"\ndiffuse = [1, 1, 1]\nam
      [[objects]]\nshape = \"box\"\nmaterial = \"wall\"\nscale = [6, 0.2, 6]\ntranslate = [0, -2, 0]\n\
      [[objects]]\nshape = \"box\"\nmaterial = \"wall\"\nscale = [6, 0.2, 6]\ntranslate = [0, 2.5, 0]\n";
 
-fn grids(text: &str) -> Vec<(LightField, LightReport)> {
+fn grids(text: &str) -> Vec<(LightGridData, LightReport)> {
     light_grids(&gpu(), &scene(text), &RenderSettings::default()).unwrap()
 }
 
@@ -132,11 +132,13 @@ fn pictures_do_not_depend_on_the_schedule() {
         let settings = RenderSettings { choice, tile_pixels, ..RenderSettings::default() };
         Renderer::new(&gpu(), &room, settings).unwrap().picture().unwrap().band
     };
-    let first = picture(Schedule::Whole, Masks::List, 1 << 20);
+    let first = picture(Schedule::Whole, RaySkipping::List, 1 << 20);
     assert!(first.color[0].iter().any(|value| *value > 0.0));
-    for (schedule, masks) in
-        [(Schedule::Fused, Masks::Off), (Schedule::Segment, Masks::List), (Schedule::Paper, Masks::Grid)]
-    {
+    for (schedule, masks) in [
+        (Schedule::Fused, RaySkipping::Off),
+        (Schedule::Segment, RaySkipping::List),
+        (Schedule::Paper, RaySkipping::Grid),
+    ] {
         assert!(picture(schedule, masks, 300) == first, "{schedule:?}");
     }
 }

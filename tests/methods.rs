@@ -5,7 +5,7 @@ use std::path::Path;
 
 use bentray::model::Law;
 use bentray::model::law::{FlowOrder, HoleForm, InMedium, Lorenz, Rossler, RoundHole, Straight};
-use bentray::program::{Analysis, Choice, Features, Layer, Masks, Purpose, Schedule, link_all, plan};
+use bentray::program::{Analysis, Choice, Features, Layer, Purpose, RaySkipping, Schedule, link_all, plan};
 use bentray::scene::{Precision, Rays, Scene};
 
 use crate::exactness::unused;
@@ -107,12 +107,12 @@ fn other_form(law: &dyn Law) -> Option<&'static str> {
 /// One after the other, so that each way to cut a program meets each part of the table: seven, which is no multiple of the
 /// number of precisions.
 fn choices() -> Vec<Choice> {
-    let mut all = vec![Choice { masks: Masks::Off, ..Choice::default() }];
+    let mut all = vec![Choice { masks: RaySkipping::Off, ..Choice::default() }];
     for schedule in [Schedule::Fused, Schedule::Paper, Schedule::Segment] {
         for (purpose, layers) in [(Purpose::Picture, Layer::ALL.to_vec()), (Purpose::Trace, Vec::new())] {
             all.push(Choice {
                 schedule,
-                masks: if purpose == Purpose::Picture { Masks::List } else { Masks::Off },
+                masks: if purpose == Purpose::Picture { RaySkipping::List } else { RaySkipping::Off },
                 purpose,
                 layers,
                 ..Choice::default()

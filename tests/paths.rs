@@ -1,6 +1,6 @@
 //! Paths from surface to surface: furnaces, lamps against closed forms, and the same light whatever is aimed at.
 
-use bentray::program::{Choice, Layer, Masks, Schedule};
+use bentray::program::{Choice, Layer, RaySkipping, Schedule};
 use bentray::render::{Plane, RenderSettings, Renderer, Rendering, Status, Window};
 use bentray::scene::{Override, Scene};
 
@@ -129,17 +129,19 @@ fn every_schedule_gives_the_same_bits() {
         }
         let layers = vec![Layer::StandardError, Layer::Normal];
         let of = |schedule, masks| Choice { schedule, masks, layers: layers.clone(), ..Choice::default() };
-        let usual =
-            rendered(&scene, RenderSettings { choice: of(Schedule::Whole, Masks::List), ..RenderSettings::default() });
+        let usual = rendered(
+            &scene,
+            RenderSettings { choice: of(Schedule::Whole, RaySkipping::List), ..RenderSettings::default() },
+        );
         for schedule in Schedule::ALL {
-            for masks in [Masks::List, Masks::Grid, Masks::Off] {
+            for masks in [RaySkipping::List, RaySkipping::Grid, RaySkipping::Off] {
                 let settings = RenderSettings { choice: of(schedule, masks), ..RenderSettings::default() };
                 assert!(rendered(&scene, settings).band == usual.band, "{schedule:?} {masks:?}");
             }
         }
         let window = Window { origin: [5, 7], size: [8, 7] };
         let settings = RenderSettings {
-            choice: of(Schedule::Whole, Masks::List),
+            choice: of(Schedule::Whole, RaySkipping::List),
             window: Some(window),
             memory: 1 << 20,
             ..RenderSettings::default()

@@ -1,6 +1,6 @@
 //! Adaptive sampling: more samples where the picture needs them, the same in every schedule and tile, and nothing silent.
 
-use bentray::program::{Choice, Layer, Masks, Schedule};
+use bentray::program::{Choice, Layer, RaySkipping, Schedule};
 use bentray::render::{Adaptive, Plane, RenderSettings, Renderer, Rendering, Window};
 use bentray::scene::Scene;
 
@@ -91,20 +91,20 @@ fn adaptive_pictures_do_not_depend_on_the_schedule() {
         let choice = Choice { schedule, masks, layers: Layer::ALL.to_vec(), ..Choice::default() };
         rendered(&scene, RenderSettings { choice, segments, ..RenderSettings::default() })
     };
-    let first = one(Schedule::Fused, Masks::List, 16);
+    let first = one(Schedule::Fused, RaySkipping::List, 16);
     let (samples, adaptive) = counts(&first);
     assert!(samples.contains(&1) && samples.contains(&17) && samples.contains(&33), "{samples:?}");
     assert!(adaptive.mean() > 2.0 && adaptive.mean() < 25.0, "{adaptive}");
     for (schedule, masks, segments) in [
-        (Schedule::Whole, Masks::List, 16),
-        (Schedule::Whole, Masks::Off, 16),
-        (Schedule::Fused, Masks::List, 2),
-        (Schedule::Fused, Masks::Off, 16),
-        (Schedule::Segment, Masks::List, 1),
-        (Schedule::Fused, Masks::Grid, 4),
-        (Schedule::Segment, Masks::Off, 1),
-        (Schedule::Paper, Masks::Grid, 1),
-        (Schedule::Paper, Masks::Off, 1),
+        (Schedule::Whole, RaySkipping::List, 16),
+        (Schedule::Whole, RaySkipping::Off, 16),
+        (Schedule::Fused, RaySkipping::List, 2),
+        (Schedule::Fused, RaySkipping::Off, 16),
+        (Schedule::Segment, RaySkipping::List, 1),
+        (Schedule::Fused, RaySkipping::Grid, 4),
+        (Schedule::Segment, RaySkipping::Off, 1),
+        (Schedule::Paper, RaySkipping::Grid, 1),
+        (Schedule::Paper, RaySkipping::Off, 1),
     ] {
         let other = one(schedule, masks, segments);
         assert!(first.band == other.band, "{schedule:?}, {masks:?}, K = {segments}");

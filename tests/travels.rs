@@ -2,7 +2,7 @@
 
 use bentray::program::{Choice, Layer, Schedule};
 use bentray::render::{RenderSettings, Renderer, Status, trace};
-use bentray::scene::CameraFrame;
+use bentray::scene::Observer;
 use glam::{DMat3, DVec3};
 
 use crate::oracle::{rows, vector};
@@ -126,7 +126,7 @@ fn orbiting_spheres_are_met_in_time() {
         let law = still.law.clone();
         let pixel = bentray::render::trace_pixels(&gpu(), &still, &RenderSettings::default(), &[[0, 0]]).unwrap().0;
         assert!(DVec3::from(pixel[0].x).distance(crossing) < 1e-5, "{:?} for {crossing}", pixel[0].x);
-        let u = law.observer(CameraFrame::ProgradeOrbit, crossing).unwrap().unwrap();
+        let u = law.observer(Observer::ProgradeOrbit, crossing).unwrap().unwrap();
         let turning = u.truncate().dot(DVec3::Z.cross(crossing)) / (u.w * crossing.length_squared());
         // So that it is at the crossing 13 − τ after it is in its place.
         let placed = |late: f64| {

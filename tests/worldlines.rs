@@ -1,8 +1,8 @@
 //! Observers who are left to themselves, or go a way that is given: where they come to by their own clocks, against closed forms.
 
 use bentray::model::Law;
-use bentray::model::camera::{Event, NoPath, Path, fall};
-use bentray::scene::{CameraFrame, Scene};
+use bentray::model::camera::{Event, Path, WorldlineError, fall};
+use bentray::scene::{Observer, Scene};
 use glam::{DVec3, DVec4, dvec3};
 
 use crate::spacetimes::typed;
@@ -12,7 +12,7 @@ fn law(text: &str) -> std::sync::Arc<dyn Law> {
     scene(&format!("[law]\n{text}\n[rays]\nbounding_sphere = {{ radius = 100 }}\n")).law
 }
 
-fn begun(law: &dyn Law, frame: CameraFrame, x: DVec3) -> Event {
+fn begun(law: &dyn Law, frame: Observer, x: DVec3) -> Event {
     Event { x, t: 0.0, u: law.observer(frame, x).unwrap().unwrap() }
 }
 
@@ -30,17 +30,17 @@ fn who_falls_from_rest_takes_as_long_as_closed_forms_say() {
         ("kind = \"kerr-newman\"\nmass = 1.5", 0.4),
     ] {
         let law = law(text);
-        let start = begun(&*law, CameraFrame::Infalling, dvec3(0.0, 12.0, 5.0));
+        let start = begun(&*law, Observer::Infalling, dvec3(0.0, 12.0, 5.0));
         let end = fall(&*law, start, spent(13.0, to)).unwrap();
         assert!((end.x.length() - to).abs() < 1e-8 && (square(&*law, &end) + 1.0).abs() < 1e-8, "{text}: {end:?}");
         assert!(end.x.cross(start.x).length() < 1e-8);
     }
     // Nothing comes through a horizon after a finite time of these coordinates, and nobody goes on below the middle.
     let outside = law("kind = \"schwarzschild\"");
-    let end = fall(&*outside, begun(&*outside, CameraFrame::Infalling, 8.0 * DVec3::X), 20.0).unwrap_err();
+    let end = fall(&*outside, begun(&*outside, Observer::Infalling, 8.0 * DVec3::X), 20.0).unwrap_err();
     assert!(end > 5.0 && end < 10.5, "{end}");
     let middle = law("kind = \"kerr-newman\"");
-    let end = fall(&*middle, begun(&*middle, CameraFrame::Infalling, 8.0 * DVec3::X), 20.0).unwrap_err();
+    let end = fall(&*middle, begun(&*middle, Observer::Infalling, 8.0 * DVec3::X), 20.0).unwrap_err();
     assert!((end - (2.0_f64 / 9.0 * 512.0).sqrt()).abs() < 0.01, "{end}");
 }
 
@@ -54,7 +54,7 @@ fn who_is_left_to_himself_keeps_what_light_keeps() {
         "kind = \"reissner-nordstrom\"\ncharge = 0.5\ncosmological_constant = 0.0002",
     ] {
         let law = law(text);
-        for frame in [CameraFrame::ProgradeOrbit, CameraFrame::RetrogradeOrbit] {
+        for frame in [Observer::ProgradeOrbit, Observer::RetrogradeOrbit] {
             let start = begun(&*law, frame, dvec3(10.0, 0.0, 0.0));
             let end = fall(&*law, start, 150.0).unwrap();
             let turning = start.u.y / 10.0;
@@ -65,7 +65,7 @@ fn who_is_left_to_himself_keeps_what_light_keeps() {
     }
     let kerr = "kind=\"kerr-newman\";spin=0.9";
     let [own, written] = [law(&kerr.replace(';', "\n")), law(&typed(kerr))];
-    let start = begun(&*own, CameraFrame::Boosted(dvec3(-0.2, 0.35, 0.25)), dvec3(9.0, 1.0, 2.0));
+    let start = begun(&*own, Observer::Boosted(dvec3(-0.2, 0.35, 0.25)), dvec3(9.0, 1.0, 2.0));
     let [end, other] = [&own, &written].map(|law| fall(&**law, start, 60.0).unwrap());
     assert!(end.x.distance(other.x) < 1e-6 && (end.t - other.t).abs() < 1e-6, "{end:?} {other:?}");
     let kept = |event: &Event| {
@@ -83,7 +83,7 @@ fn who_moves_slows_down_as_space_grows() {
     let law = law(
         "kind = \"metric\"\nline_element = \"-dt^2 + exp(2*H*t)*(dx^2 + dy^2 + dz^2)\"\nscale = \"5\"\nparameters = { H = 0.05 }\ntime = 2",
     );
-    let start = begun(&*law, CameraFrame::Boosted(dvec3(0.0, 0.6, 0.0)), DVec3::ZERO);
+    let start = begun(&*law, Observer::Boosted(dvec3(0.0, 0.6, 0.0)), DVec3::ZERO);
     let end = fall(&*law, start, 12.0).unwrap();
     let metric = law.metric(end.x, end.t).unwrap();
     let momentum = end.u.y * metric.y_axis.y.sqrt();
@@ -103,11 +103,11 @@ fn worldlines_have_a_time_of_their_own() {
     assert!((event.t - 10.0).abs() < 1e-12 && event.x.distance(dvec3(4.0, 0.0, 0.0)) < 1e-12, "{event:?}");
     assert!(event.velocity(&*flat).unwrap().distance(dvec3(0.6, 0.0, 0.0)) < 1e-12);
     assert_eq!(
-        straight.after(&*flat, 8.5).map_err(|end| matches!(end, NoPath::Ends(s) if (s - 8.0).abs() < 1e-9)),
+        straight.after(&*flat, 8.5).map_err(|end| matches!(end, WorldlineError::Ends(s) if (s - 8.0).abs() < 1e-9)),
         Err(true)
     );
     let hole = law("kind = \"kerr-newman\"\nspin = 0.7");
-    let orbit = begun(&*hole, CameraFrame::ProgradeOrbit, dvec3(12.0, 0.0, 0.0));
+    let orbit = begun(&*hole, Observer::ProgradeOrbit, dvec3(12.0, 0.0, 0.0));
     let turning = orbit.u.y / orbit.u.w / 12.0;
     let circle = |k: u32| {
         let t = f64::from(k);
@@ -119,8 +119,8 @@ fn worldlines_have_a_time_of_their_own() {
     assert!((event.t - 100.0).abs() < 1e-4 && event.x.distance(circle(100).truncate()) < 1e-4, "{event:?}");
     let fast =
         Path::through(vec![DVec4::ZERO, DVec4::new(1.0, 0.0, 0.0, 2.0), DVec4::new(9.0, 0.0, 0.0, 3.0)]).unwrap();
-    assert!(matches!(fast.after(&*flat, 9.0), Err(NoPath::TooFast(1 | 2))));
-    assert_eq!(Path::through(vec![DVec4::W, DVec4::X]), Err(NoPath::NotLater(1)));
+    assert!(matches!(fast.after(&*flat, 9.0), Err(WorldlineError::TooFast(1 | 2))));
+    assert_eq!(Path::through(vec![DVec4::W, DVec4::X]), Err(WorldlineError::NotLater(1)));
 }
 
 /// A film of a fall is one of its own time: even frames, through the horizon.
@@ -138,7 +138,7 @@ fn cameras_fall_by_their_own_clocks() {
         assert!(camera.position.distance(dvec3(0.0, -r, 0.0)) < 1e-7, "{proper}: {}", camera.position);
         let law = seen(0.0).law;
         let [own, told] =
-            [camera.frame, CameraFrame::Infalling].map(|frame| law.observer(frame, camera.position).unwrap().unwrap());
+            [camera.frame, Observer::Infalling].map(|frame| law.observer(frame, camera.position).unwrap().unwrap());
         assert!(own.distance(told) < 1e-6, "{own} {told}");
     }
 }

@@ -8,9 +8,9 @@ use std::sync::Arc;
 
 use glam::DAffine3;
 
-use super::Use;
+use super::GridUse;
 use super::mesh::{Opened, Reading};
-use super::{Capacity, IndexGrid, Mesh, Part, Picture, Profile, Source, Wanted};
+use super::{Capacity, IndexGrid, Mesh, MeshRequest, Part, Picture, Profile, Source};
 use crate::document::Node;
 use crate::document::reader::Reader;
 use crate::document::values::text;
@@ -50,7 +50,7 @@ pub struct Files {
     opened: Option<(PathBuf, Opened)>,
     profile_of: HashMap<PathBuf, Option<Arc<Profile>>>,
     text_of: HashMap<PathBuf, Option<Arc<str>>>,
-    grid_of: HashMap<PathBuf, (Use, Arc<IndexGrid>)>,
+    grid_of: HashMap<PathBuf, (GridUse, Arc<IndexGrid>)>,
 }
 
 /// The memory limit for files, and the memory that the loaded files leave.
@@ -179,7 +179,7 @@ impl Files {
 
     /// Returns the requested part of the mesh file that a node names, and the map from object space to the file's scene.
     /// `part` is the node that names the part, for errors about it.
-    pub fn mesh(&mut self, reader: &Reader, node: &Node, part: &Node, wanted: &Wanted) -> Option<PlacedMesh> {
+    pub fn mesh(&mut self, reader: &Reader, node: &Node, part: &Node, wanted: &MeshRequest) -> Option<PlacedMesh> {
         let (path, identity) = find(reader, node)?;
         let placed = self.placed_mesh(reader, (node, part), wanted, (&path, identity))?;
         if !placed.0.left_out.is_empty() {
@@ -193,7 +193,7 @@ impl Files {
         &mut self,
         reader: &Reader,
         (node, part): (&Node, &Node),
-        wanted: &Wanted,
+        wanted: &MeshRequest,
         (path, identity): (&Path, PathBuf),
     ) -> Option<PlacedMesh> {
         let key = (wanted.part.clone(), wanted.crease.to_bits());
@@ -260,7 +260,7 @@ impl Files {
     }
 
     /// Returns the grid that a node names, used as `used` specifies.
-    pub fn grid(&mut self, reader: &Reader, node: &Node, used: &Use) -> Option<Arc<IndexGrid>> {
+    pub fn grid(&mut self, reader: &Reader, node: &Node, used: &GridUse) -> Option<Arc<IndexGrid>> {
         let (path, identity) = find(reader, node)?;
         if let Some((_, grid)) = self.grid_of.get(&identity).filter(|(before, _)| before == used) {
             return Some(Arc::clone(grid));
@@ -298,7 +298,7 @@ fn accept<T>(reader: &Reader, node: &Node, loaded: Result<T, SceneError>) -> Opt
         _ => "",
     };
     match error {
-        SceneError::Mistakes(mistakes) => mistakes.into_iter().for_each(|m| reader.mistake(m)),
+        SceneError::Diagnostics(mistakes) => mistakes.into_iter().for_each(|m| reader.mistake(m)),
         error => reader.fault(node.fault(error.to_string(), help)),
     }
     None

@@ -6,9 +6,9 @@ use crate::document::SceneError;
 
 /// An error in a mesh whose format has no lines.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub(super) struct Flaw(pub String);
+pub(super) struct FormatError(pub String);
 
-impl Flaw {
+impl FormatError {
     /// Creates an error at a byte, counted from 0.
     pub fn at(byte: usize, problem: &str) -> Self {
         Self(format!("at byte {byte}: {problem}"))

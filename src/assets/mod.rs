@@ -19,9 +19,9 @@ pub use expression::{
 };
 pub use files::Files;
 pub use gltf::{Gltf, NodeName, Placed, Stored as StoredPicture, image_of, json, names};
-pub use grid::{Bare, IndexGrid, Stored, Use};
-pub use mesh::{Capacity, Held, Mesh, Part, Source, Vertex, Wanted};
+pub use grid::{GridUse, IndexGrid, RawGridLayout, Stored};
+pub use mesh::{Capacity, Held, Mesh, MeshRequest, Part, Source, Vertex};
 pub use picture::Picture;
 pub(crate) use picture::unlikely_exr;
-pub use profile::{Flaw, Profile, ProfilePoint};
+pub use profile::{Profile, ProfileError, ProfilePoint};
 pub use transform::Transform;

@@ -7,7 +7,7 @@
 //!
 //! *Practice.* The CSV parser is part of this file: the header `height,n`, then a line for each point; spaces and empty lines are ignored.
 
-use crate::document::{Mistake, SceneError, read_text};
+use crate::document::{Diagnostic, SceneError, read_text};
 use std::path::Path;
 
 /// The refractive index n as a function of height.
@@ -34,7 +34,7 @@ pub struct ProfilePoint {
 
 /// The reason why points do not define a profile.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Flaw {
+pub struct ProfileError {
     /// The index of the point, if the error is in one.
     pub point: Option<usize>,
     /// The problem.
@@ -50,14 +50,22 @@ const ENOUGH: usize = 10;
 
 impl Profile {
     /// Computes the spline through points `[height, n]`, with positive n.
-    pub fn through(points: &[[f64; 2]]) -> Result<Self, Flaw> {
+    pub fn through(points: &[[f64; 2]]) -> Result<Self, ProfileError> {
         if points.len() < 2 {
             let problem = format!("a profile requires at least two points, found {}", points.len());
-            return Err(Flaw { point: None, problem, help: "give each point as a height and its n".to_owned() });
+            return Err(ProfileError {
+                point: None,
+                problem,
+                help: "give each point as a height and its n".to_owned(),
+            });
         }
         if let Some(k) = points.windows(2).position(|pair| pair[1][0] <= pair[0][0]) {
             let problem = format!("the height {} is not above the previous height, {}", points[k + 1][0], points[k][0]);
-            return Err(Flaw { point: Some(k + 1), problem, help: "sort the points by ascending height".to_owned() });
+            return Err(ProfileError {
+                point: Some(k + 1),
+                problem,
+                help: "sort the points by ascending height".to_owned(),
+            });
         }
         let profile = Self { points: spline(points) };
         let is_finite = |p: &ProfilePoint| [p.slope, p.bend, p.twist].iter().all(|x| (*x as f32).is_finite());
@@ -67,13 +75,13 @@ impl Profile {
             let [before, height] = [points[k][0], points[k + 1][0]];
             let problem =
                 format!("the height {height:e} is too close to the previous height, {before:e}, for a finite slope");
-            return Err(Flaw { point: Some(k + 1), problem, help: "remove one of the two points".to_owned() });
+            return Err(ProfileError { point: Some(k + 1), problem, help: "remove one of the two points".to_owned() });
         }
         let (height, n) = profile.lowest();
         if n <= 0.0 {
             let problem = format!("the curve through the points falls to n = {n:.4} at height {height:.4}");
             let help = "add points near this minimum, because n must stay above 0".to_owned();
-            return Err(Flaw { point: None, problem, help });
+            return Err(ProfileError { point: None, problem, help });
         }
         Ok(profile)
     }
@@ -108,13 +116,14 @@ impl Profile {
 
     /// Reads the text of a CSV file; `path` names it in errors.
     pub fn parse(text: &str, path: &Path) -> Result<Self, SceneError> {
-        let mistake = |part: &str, problem: String, help: &str| Mistake::of(path, text, part, problem, help.to_owned());
+        let mistake =
+            |part: &str, problem: String, help: &str| Diagnostic::of(path, text, part, problem, help.to_owned());
         let lines = text.lines().map(str::trim);
         let mut lines = lines.filter(|line| !line.is_empty());
         let header = lines.next().unwrap_or(&text[..0]);
         if !header.split(',').map(str::trim).eq(COLUMNS.split(',')) {
             let problem = format!("expected the columns {COLUMNS}, found `{header}`");
-            return Err(SceneError::Mistakes(vec![mistake(header, problem, "name the columns in the first line")]));
+            return Err(SceneError::Diagnostics(vec![mistake(header, problem, "name the columns in the first line")]));
         }
         let (mut mistakes, mut points, mut places) = (Vec::new(), Vec::new(), Vec::new());
         for line in lines {
@@ -130,11 +139,11 @@ impl Profile {
             }
         }
         if !mistakes.is_empty() {
-            return Err(SceneError::Mistakes(mistakes));
+            return Err(SceneError::Diagnostics(mistakes));
         }
         Self::through(&points).map_err(|flaw| {
             let part = flaw.point.map_or(&text[..0], |k| places[k]);
-            SceneError::Mistakes(vec![mistake(part, flaw.problem, &flaw.help)])
+            SceneError::Diagnostics(vec![mistake(part, flaw.problem, &flaw.help)])
         })
     }
 }

@@ -2,7 +2,7 @@
 
 use super::paper::{by, fused_segments, run};
 use super::{Bench, Report, Table, Times};
-use crate::program::{Masks, Schedule};
+use crate::program::{RaySkipping, Schedule};
 use crate::render::RenderError;
 use crate::scene::Scene;
 
@@ -44,7 +44,7 @@ pub fn compaction(bench: &Bench, scenes: &[(String, Scene)]) -> Result<Report, R
 /// Measures without masks once, because that takes many times as long, and with masks and with compaction by turns.
 fn times(bench: &Bench, scene: &Scene, schedule: Schedule, segments: u32) -> Result<[Times; 3], RenderError> {
     let run = |masks| run(bench, scene, by(schedule, masks, segments));
-    let (mut off, mut grid, mut list) = (run(Masks::Off)?, run(Masks::Grid)?, run(Masks::List)?);
+    let (mut off, mut grid, mut list) = (run(RaySkipping::Off)?, run(RaySkipping::Grid)?, run(RaySkipping::List)?);
     let [off] = Times::by_turns(1, [&mut off])?;
     let [grid, list] = Times::by_turns(bench.repeats, [&mut grid, &mut list])?;
     Ok([off, grid, list])

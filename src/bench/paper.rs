@@ -12,7 +12,7 @@ use super::times::slope;
 use super::{Bench, CRITICAL, Cell, Report, Table, Times, own_scene, shadow_edge};
 use crate::measure::{calibrate, method_words};
 use crate::output::plot::{Chart, Series};
-use crate::program::{Choice, Masks, Schedule};
+use crate::program::{Choice, RaySkipping, Schedule};
 use crate::render::{RenderError, RenderSettings, Renderer};
 use crate::scene::Scene;
 
@@ -96,7 +96,7 @@ fn table(bench: &Bench) -> Result<Table, RenderError> {
         let (plain, accelerated) = (scene(How::Plain)?, scene(How::Published)?);
         let (ours, settings, words, error) = own(bench, own_keys, 10)?;
         let (mut a, mut b) =
-            (run(bench, &plain, by_fused(Masks::Off))?, run(bench, &accelerated, by_fused(Masks::List))?);
+            (run(bench, &plain, by_fused(RaySkipping::Off))?, run(bench, &accelerated, by_fused(RaySkipping::List))?);
         let mut c = run(bench, &ours, settings)?;
         let [a, b, c] = Times::by_turns(bench.repeats, [&mut a, &mut b, &mut c])?;
         let [none, fast] = published;
@@ -114,8 +114,8 @@ fn figure(bench: &Bench) -> Result<Table, RenderError> {
     let mut table = Table::new("figure5", "Figure 5: 500 steps in 50 segments, Schwarzschild", header);
     let mut scenes = Vec::new();
     for spheres in SPHERES {
-        scenes.push((scene(bench.size, GEODESIC, spheres, 50, How::Plain)?, by_fused(Masks::Off)));
-        scenes.push((scene(bench.size, GEODESIC, spheres, 50, How::Published)?, by_fused(Masks::List)));
+        scenes.push((scene(bench.size, GEODESIC, spheres, 50, How::Plain)?, by_fused(RaySkipping::Off)));
+        scenes.push((scene(bench.size, GEODESIC, spheres, 50, How::Published)?, by_fused(RaySkipping::List)));
         let (ours, settings, ..) = own(bench, SCHWARZSCHILD, spheres)?;
         scenes.push((ours, settings));
     }
@@ -163,7 +163,7 @@ fn shadow(bench: &Bench) -> Result<Table, RenderError> {
 /// Returns the scene with the method of `auto`, its settings, its description and its error.
 fn own(bench: &Bench, keys: &str, spheres: u32) -> Result<(Scene, RenderSettings, String, Cell), RenderError> {
     let scene = scene(bench.size, keys, spheres, 30, How::Ours)?;
-    let settings = by_fused(Masks::List);
+    let settings = by_fused(RaySkipping::List);
     let Some(found) = calibrate(bench.gpu, &scene, &settings, None)? else {
         return Ok((scene, settings, "exact".to_owned(), Cell::None));
     };
@@ -172,12 +172,12 @@ fn own(bench: &Bench, keys: &str, spheres: u32) -> Result<(Scene, RenderSettings
 }
 
 /// Returns settings with separate advance passes; masks skip ended rays, and otherwise every pass processes every pixel.
-pub(super) fn by_fused(masks: Masks) -> RenderSettings {
+pub(super) fn by_fused(masks: RaySkipping) -> RenderSettings {
     by(Schedule::Fused, masks, RenderSettings::default().segments)
 }
 
 /// Returns settings for a schedule; `segments` is K, which only `fused` uses.
-pub(super) fn by(schedule: Schedule, masks: Masks, segments: u32) -> RenderSettings {
+pub(super) fn by(schedule: Schedule, masks: RaySkipping, segments: u32) -> RenderSettings {
     let choice = Choice { schedule, masks, ..Choice::default() };
     RenderSettings { choice, segments, ..RenderSettings::default() }
 }

@@ -9,7 +9,7 @@ use super::{Bench, Report, Table, Times};
 use crate::model::control::scaled;
 use crate::model::method;
 use crate::output::plot::{Chart, Series};
-use crate::program::Masks;
+use crate::program::RaySkipping;
 use crate::render::{RenderError, Renderer};
 use crate::scene::Scene;
 
@@ -32,7 +32,7 @@ pub fn scaling(bench: &Bench) -> Result<Report, RenderError> {
         for doubling in 0..DOUBLINGS {
             let factor = 1 << doubling;
             let scene = grow(bench, factor)?;
-            let mut renderer = Renderer::new(bench.gpu, &scene, by_fused(Masks::List))?;
+            let mut renderer = Renderer::new(bench.gpu, &scene, by_fused(RaySkipping::List))?;
             let mut all = 0.0;
             let advance = Times::of(bench.repeats, || {
                 let totals = renderer.picture()?.totals;

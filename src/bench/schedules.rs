@@ -3,7 +3,7 @@
 use super::paper::{GEODESIC, How, by, fused_segments, run, scene};
 use super::{Bench, Report, Table, Times};
 use crate::output::plot::{Chart, Series};
-use crate::program::{Masks, Schedule};
+use crate::program::{RaySkipping, Schedule};
 use crate::render::RenderError;
 use crate::scene::{Accelerate, Scene};
 
@@ -48,6 +48,6 @@ pub fn schedules(bench: &Bench) -> Result<Report, RenderError> {
 /// Measures without masks and with them, by turns.
 fn by_masks(bench: &Bench, scene: &Scene, schedule: Schedule, segments: u32) -> Result<[Times; 2], RenderError> {
     let run = |masks| run(bench, scene, by(schedule, masks, segments));
-    let (mut plain, mut masked) = (run(Masks::Off)?, run(schedule.masks())?);
+    let (mut plain, mut masked) = (run(RaySkipping::Off)?, run(schedule.masks())?);
     Times::by_turns(bench.repeats, [&mut plain, &mut masked])
 }

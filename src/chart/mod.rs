@@ -11,5 +11,5 @@ pub use formulas::{
     beer_chart, fresnel_chart, reflectance, refracted_sine, snell_chart, spiral_angle, spiral_chart, spiral_plot,
 };
 pub use noise::{noise_chart, noise_sum, wrapped_chart};
-pub use stability::{Outcome, Place, default_settings};
+pub use stability::{Outcome, StabilityCase, default_settings};
 pub use sweep::{MethodCurve, Point, SceneChart, Sweep};

@@ -8,7 +8,7 @@
 //! *Practice.* Starting values are first rounded to 32 bits, because their rounding is not the method's error.
 
 use crate::gpu::Gpu;
-use crate::measure::{Candidate, Truth, all_methods};
+use crate::measure::{Candidate, ReferenceSolution, all_methods};
 use crate::program::Purpose;
 use crate::render::{RenderError, RenderSettings, Starts, Status, Traced, Tracer};
 use crate::scene::{Control, Scene};
@@ -55,21 +55,21 @@ pub fn default_settings(candidate: &Candidate) -> [Control; 3] {
 
 /// A situation in which methods fail: a scene, and rays in it.
 #[derive(Debug)]
-pub struct Place<'a> {
+pub struct StabilityCase<'a> {
     gpu: &'a Gpu,
     name: String,
     scene: Scene,
     rays: Vec<[f64; 6]>,
-    truth: Truth,
+    truth: ReferenceSolution,
 }
 
-impl<'a> Place<'a> {
+impl<'a> StabilityCase<'a> {
     /// Computes the reference solutions of the rays.
     pub fn new(gpu: &'a Gpu, name: &str, scene: &Scene, rays: &[[f64; 6]]) -> Result<Self, RenderError> {
         let mut scene = scene.clone();
         scene.rays.max_segments = SEGMENTS;
         let rays: Vec<_> = rays.iter().map(|ray| ray.map(|v| f64::from(v as f32))).collect();
-        let truth = Truth::new(gpu, &scene, TOLERANCE, Starts::Given(&rays))?;
+        let truth = ReferenceSolution::new(gpu, &scene, TOLERANCE, Starts::Given(&rays))?;
         Ok(Self { gpu, name: name.to_owned(), scene, rays, truth })
     }
 

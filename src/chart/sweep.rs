@@ -4,7 +4,9 @@
 //! passes, at a size of at least the required number of rays. Each method's program is compiled once, because only numbers change.
 
 use crate::gpu::Gpu;
-use crate::measure::{Candidate, Deviations, Truth, all_methods, drift, evaluations, method_words, scattered};
+use crate::measure::{
+    Candidate, ErrorStats, ReferenceSolution, all_methods, drift, evaluations, method_words, scattered,
+};
 use crate::program::{Choice, Schedule};
 use crate::render::{RenderError, RenderSettings, Renderer, Starts, Traced, Tracer};
 use crate::scene::Scene;
@@ -34,7 +36,7 @@ pub struct Point {
     /// The number of the setting: η, degrees or tolerance.
     pub setting: f64,
     /// The errors.
-    pub found: Deviations,
+    pub found: ErrorStats,
     /// The median time of the advance and intersection passes per ray, in seconds. Scattering is included unless it is a separate pass.
     pub time: f64,
     /// The ratio of the longest repeat to the shortest.
@@ -97,7 +99,7 @@ impl Sweep<'_> {
         let pixels = scattered(scene.image.size, self.compared, 1);
         let starts = Starts::Pixels(&pixels, 1024);
         progress("reference solution");
-        let truth = Truth::new(self.gpu, &scene, TOLERANCE, starts)?;
+        let truth = ReferenceSolution::new(self.gpu, &scene, TOLERANCE, starts)?;
         let reference = self.reference_picture(&scene)?;
         let mut curves = Vec::new();
         let mut fastest = f64::INFINITY;
@@ -141,7 +143,7 @@ impl Sweep<'_> {
         scene: &Scene,
         candidate: &Candidate,
         starts: Starts,
-        truth: &Truth,
+        truth: &ReferenceSolution,
         reference: &[f32],
         fastest: &mut f64,
     ) -> Result<Vec<Point>, RenderError> {
@@ -171,7 +173,7 @@ impl Sweep<'_> {
             points.push(Point {
                 words: method_words(candidate.method, control),
                 setting: (control.kind.setting)(&control),
-                found: Deviations::new(&rays, truth),
+                found: ErrorStats::new(&rays, truth),
                 time,
                 spread: measured.spread,
                 evaluations: evaluations(candidate.method, control, steps, rejected),
@@ -203,7 +205,7 @@ fn timed(renderer: &mut Renderer, repeats: usize) -> Result<Measured, RenderErro
 }
 
 /// Returns the drift relative to the constants at the true end, which equal those at the start.
-fn drifts(scene: &Scene, rays: &[Traced], truth: &Truth) -> Vec<(&'static str, f64)> {
+fn drifts(scene: &Scene, rays: &[Traced], truth: &ReferenceSolution) -> Vec<(&'static str, f64)> {
     let pairs = rays.iter().zip(&truth.0).filter_map(|(ray, truth)| {
         let truth = truth.whole().filter(|truth| truth.status == ray.status)?;
         Some(([truth.x.into(), truth.v.into()], ray))

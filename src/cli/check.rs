@@ -9,7 +9,7 @@ use std::process::ExitCode;
 use clap::Args;
 use serde_json::{Value, json};
 
-use self::mistakes::Wrong;
+use self::mistakes::InvalidScene;
 use self::modelled::Modelled;
 use super::format::{Format, Found};
 use super::frames::Film;
@@ -54,7 +54,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
         match check(path, arguments) {
             Ok(modelled) => arguments.format.say(&modelled)?,
             Err(error) => {
-                arguments.format.tell(&Wrong { path, error })?;
+                arguments.format.tell(&InvalidScene { path, error })?;
                 code = ExitCode::FAILURE;
             }
         }

@@ -8,7 +8,7 @@ use clap::Args;
 use super::options::{SceneOptions, choice, schedules};
 use super::paths;
 use super::screen;
-use crate::chart::{Outcome, Place, SceneChart, Sweep, default_settings, fastest_table, write_chart};
+use crate::chart::{Outcome, SceneChart, StabilityCase, Sweep, default_settings, fastest_table, write_chart};
 use crate::document::values::suggest;
 use crate::error::Error;
 use crate::gpu::Gpu;
@@ -122,7 +122,7 @@ fn stability(arguments: &Arguments, paths: &[PathBuf]) -> Result<ExitCode, Error
     let mut silent = 0;
     for (name, scene, rays) in &places {
         tell!("{name}");
-        let place = Place::new(&gpu, name, scene, rays)?;
+        let place = StabilityCase::new(&gpu, name, scene, rays)?;
         for candidate in all_methods(scene).iter().filter(|candidate| wanted(arguments, candidate)) {
             let mut outcome = place.outcome(candidate, default_settings(candidate))?;
             outcome.diverged = place.divergence(candidate)?;

@@ -49,7 +49,7 @@ pub(super) struct Decision {
 }
 
 /// The file that stores the decision of one search.
-pub(super) struct Place(PathBuf);
+pub(super) struct DecisionFile(PathBuf);
 
 /// Returns the folder, or `None` if nothing is stored.
 pub(super) fn folder() -> Option<PathBuf> {
@@ -60,7 +60,7 @@ pub(super) fn folder() -> Option<PathBuf> {
     }
 }
 
-impl Place {
+impl DecisionFile {
     /// Returns the file for the rays of a scene, or `None` if nothing can be stored.
     pub(super) fn of(
         gpu: &Gpu,

@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 use super::screen;
 use crate::document::read_given;
 use crate::error::Error;
-use crate::gpu::{Before, Geometry, mesh_capacity};
+use crate::gpu::{Geometry, PreviousGeometry, mesh_capacity};
 use crate::program::{Choice, Program};
 use crate::scene::{Animation, Files, Override, Scene, SceneError, follow_as};
 
@@ -32,7 +32,7 @@ pub(super) struct Film<'a> {
     /// The hashes of the files, by path.
     pub(super) hashes: RefCell<HashMap<PathBuf, String>>,
     /// The inputs of the previous frame's program.
-    before: RefCell<Before>,
+    before: RefCell<PreviousGeometry>,
 }
 
 impl<'a> Film<'a> {

@@ -13,7 +13,7 @@ use crate::gpu::Gpu;
 use crate::output::origin::{COMPARED, FOLLOWED, SAMPLES, difference};
 use crate::output::{FileSettings, OutputError, picture};
 use crate::program::Layer;
-use crate::render::{Band, Earlier, Window};
+use crate::render::{Band, EarlierSamples, Window};
 use crate::scene::{SamplePattern, Scene};
 
 /// The metadata of an image that may change when it is continued.
@@ -36,7 +36,7 @@ pub(super) fn after(mut settings: FileSettings, samples: u32) -> FileSettings {
 }
 
 /// An image to continue.
-pub(super) struct Before {
+pub(super) struct EarlierImage {
     path: PathBuf,
     settings: FileSettings,
     band: Band,
@@ -44,7 +44,7 @@ pub(super) struct Before {
     followed: String,
 }
 
-impl Before {
+impl EarlierImage {
     /// Reads an image that keeps its sums.
     pub(super) fn read(path: &Path) -> Result<Self, Error> {
         let problem = "it has no layers `accumulated` and `luminance_m2` to continue from; EXRs of images with lighting = \
@@ -128,7 +128,7 @@ impl Before {
     }
 
     /// Returns the sums from which the render continues.
-    pub(super) fn earlier(self) -> Earlier {
-        Earlier { samples: self.samples, band: self.band }
+    pub(super) fn earlier(self) -> EarlierSamples {
+        EarlierSamples { samples: self.samples, band: self.band }
     }
 }

@@ -14,7 +14,7 @@ use crate::error::Error;
 use crate::gpu::{Gpu, GpuError};
 use crate::output::origin::{COMPARED, FOLLOWED};
 use crate::output::said;
-use crate::program::{Choice, Layer, Masks, Schedule};
+use crate::program::{Choice, Layer, RaySkipping, Schedule};
 use crate::render::{RenderSettings, Window};
 use crate::scene::{Override, Precision, follow_as};
 
@@ -193,8 +193,8 @@ impl DeviceFlags {
     /// Returns the choice with the requested masks.
     fn masked(&self, choice: Choice) -> Choice {
         let masks = match (self.no_early_termination, self.no_compaction) {
-            (true, _) => Masks::Off,
-            (false, true) => Masks::Grid,
+            (true, _) => RaySkipping::Off,
+            (false, true) => RaySkipping::Grid,
             (false, false) => choice.masks,
         };
         Choice { masks, ..choice }

@@ -19,7 +19,7 @@ use super::format::Format;
 use super::frame_list::Frames;
 use super::frame_names::numbered;
 use super::frames::Film;
-use super::go_on::{Before, SUMS, is_continuable};
+use super::go_on::{EarlierImage, SUMS, is_continuable};
 use super::interrupt;
 use super::options::{DeviceFlags, SceneOptions, one_of, parse_bytes, parse_seconds, parse_window};
 use super::paths;
@@ -172,7 +172,7 @@ impl Arguments {
     }
 
     /// Loads the scene, one of its frames, or the scene of an image that is continued.
-    fn load(&self, film: &Film, frame: Option<u32>, before: Option<&Before>) -> Result<Scene, Error> {
+    fn load(&self, film: &Film, frame: Option<u32>, before: Option<&EarlierImage>) -> Result<Scene, Error> {
         let scene = match (frame, before) {
             (_, Some(before)) => before.load(film)?,
             (None, None) => film.load(None)?,
@@ -229,7 +229,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
     let film = Film::new(&arguments.scene, arguments.changes.overrides()?)
         .on(arguments.device.name())
         .within(arguments.memory);
-    let before = arguments.earlier.as_deref().map(Before::read).transpose()?;
+    let before = arguments.earlier.as_deref().map(EarlierImage::read).transpose()?;
     let still = arguments.load(&film, None, before.as_ref())?;
     let layers = arguments.layers(&still, before.as_ref());
     if let Some(before) = &before {
@@ -287,7 +287,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
         renderer: renderer.map(|renderer| (renderer, is_film.then_some(0))),
         is_under_way: false,
     };
-    let unfollowed = work.render_all(&targets, before.map(Before::earlier).as_ref())?;
+    let unfollowed = work.render_all(&targets, before.map(EarlierImage::earlier).as_ref())?;
     if let Some(code) = interrupt::stopped() {
         return Ok(code);
     }

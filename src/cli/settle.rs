@@ -1,6 +1,6 @@
 //! The choice of a scene's integration method, if the scene leaves it open: from a stored decision, or by a search.
 
-use super::decisions::{Decision, Place, Rays};
+use super::decisions::{Decision, DecisionFile, Rays};
 use super::frames::Film;
 use crate::error::Error;
 use crate::gpu::{Gpu, halved_pictures};
@@ -36,8 +36,8 @@ pub(super) fn settle<'a>(
     if scene.rays.auto.is_none() {
         return Ok(Settled { scene, settings, renderer: None, light_tracer: None });
     }
-    let place = Place::of(gpu, film, frame, &settings, rays);
-    let kept = place.as_ref().and_then(Place::find);
+    let place = DecisionFile::of(gpu, film, frame, &settings, rays);
+    let kept = place.as_ref().and_then(DecisionFile::find);
     let known = kept.and_then(|kept| Some((film.load_as(frame, &kept.followed).ok()?, kept)));
     if let Some((scene, kept)) = known {
         tell_choice(&kept.said, kept.warning.as_deref());

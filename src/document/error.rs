@@ -65,7 +65,7 @@ pub enum SceneError {
     Override(String),
     /// All errors of the scene and its meshes, in the order of the file.
     #[error("{}", list(.0))]
-    Mistakes(Vec<Mistake>),
+    Diagnostics(Vec<Diagnostic>),
 }
 
 /// Formats a number of bytes in MiB.
@@ -75,7 +75,7 @@ fn mebibytes(bytes: u64) -> String {
 
 /// One error at one location of a text.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Mistake {
+pub struct Diagnostic {
     /// The scene, a mesh that it names, or `--set KEY=VALUE` as it was given.
     pub file: PathBuf,
     /// The line, from 1.
@@ -92,7 +92,7 @@ pub struct Mistake {
     pub help: String,
 }
 
-impl Mistake {
+impl Diagnostic {
     /// Locates a mistake in bytes `start..end` of `text`; a span of several lines is cut at the end of its first line.
     #[must_use]
     pub fn locate(file: PathBuf, text: &str, start: usize, end: usize, problem: String, help: String) -> Self {
@@ -120,7 +120,7 @@ impl Mistake {
     }
 }
 
-impl fmt::Display for Mistake {
+impl fmt::Display for Diagnostic {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         let (file, line, column) = (self.file.display(), self.line, self.column);
         write!(f, "{file}:{line}:{column}: {}", brief(&self.problem))?;
@@ -180,8 +180,8 @@ fn char_boundary(text: &str, at: usize) -> usize {
     (0..=at.min(text.len())).rfind(boundary).unwrap_or(0)
 }
 
-fn list(mistakes: &[Mistake]) -> String {
-    let mut parts: Vec<String> = mistakes.iter().take(SHOWN).map(Mistake::to_string).collect();
+fn list(mistakes: &[Diagnostic]) -> String {
+    let mut parts: Vec<String> = mistakes.iter().take(SHOWN).map(Diagnostic::to_string).collect();
     let plural = if mistakes.len() == 1 { "" } else { "s" };
     let least = if mistakes.len() >= ENOUGH { "at least " } else { "" };
     let shown = if mistakes.len() > SHOWN { format!(", of which {SHOWN} are shown") } else { String::new() };

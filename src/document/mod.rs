@@ -2,9 +2,9 @@
 //!
 //! *Theory.* An error is useful only with its location, and one run should find all errors. The text therefore first
 //! becomes a tree ([`Document`]). The scene is then read from the tree: [`values`] convert one node to a value or a
-//! [`Fault`], and [`reader`] walks tables, collects the faults and reports the keys that nothing has read.
+//! [`SpannedError`], and [`reader`] walks tables, collects the faults and reports the keys that nothing has read.
 //!
-//! *Practice.* A document has one source for the file and one for each `--set`. A [`Place`] names its source, so an
+//! *Practice.* A document has one source for the file and one for each `--set`. A [`Span`] names its source, so an
 //! invalid value from the command line is reported there.
 
 mod error;
@@ -18,7 +18,7 @@ mod text;
 pub mod values;
 
 pub(crate) use error::brief;
-pub use error::{Mistake, SceneError};
+pub use error::{Diagnostic, SceneError};
 pub use keys::{Key, KeyReference};
 pub(crate) use keys::{key_rows, keys};
 pub use kinds::{Kind, Kinds, kind_rows};
@@ -37,7 +37,7 @@ pub struct Document {
     /// The top-level table.
     pub root: Table,
     /// The errors found while the overrides were applied.
-    faults: Vec<Fault>,
+    faults: Vec<SpannedError>,
 }
 
 /// A text that places refer to.
@@ -48,7 +48,7 @@ struct Source {
 
 /// A range of bytes, `start..end`, of a source.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Place {
+pub struct Span {
     source: usize,
     start: usize,
     end: usize,
@@ -56,9 +56,9 @@ pub struct Place {
 
 /// An error whose place has not been converted to a line and column yet.
 #[derive(Debug, Clone)]
-pub struct Fault {
+pub struct SpannedError {
     /// The location of the error.
-    pub place: Place,
+    pub place: Span,
     /// The problem.
     pub problem: String,
     /// The remedy; may be empty.
@@ -69,7 +69,7 @@ pub struct Fault {
 #[derive(Debug, Clone)]
 pub struct Node {
     /// The location; for a table, its header or its braces.
-    pub place: Place,
+    pub place: Span,
     /// The value.
     pub value: Value,
 }
@@ -94,7 +94,7 @@ pub enum Value {
 }
 
 /// The entries of a table in the order of the file: key, location of the key, and value.
-pub type Table = Vec<(String, Place, Node)>;
+pub type Table = Vec<(String, Span, Node)>;
 
 impl Document {
     /// Parses `text`, read from `path`, and applies the overrides. After a syntax error no other error is reported.
@@ -108,7 +108,7 @@ impl Document {
         match DeTable::parse(text) {
             Ok(table) => document.root = entries(table.get_ref(), base),
             Err(error) => {
-                let fault = Fault {
+                let fault = SpannedError {
                     place: base.place(error.span().unwrap_or_default()),
                     problem: format!("not valid TOML: {}", error.message()),
                     help: match error.message() {
@@ -120,7 +120,7 @@ impl Document {
                         _ => String::new(),
                     },
                 };
-                return Err(SceneError::Mistakes(vec![document.locate(fault)]));
+                return Err(SceneError::Diagnostics(vec![document.locate(fault)]));
             }
         }
         for over in overrides {
@@ -134,12 +134,12 @@ impl Document {
     }
 
     /// Sets the key at `path` to a frame's value; `key` is the location at which the animation names the key.
-    pub fn animate(&mut self, path: &[String], value: Node, key: Place) {
+    pub fn animate(&mut self, path: &[String], value: Node, key: Span) {
         match overrides::reach(&mut self.root, path, key) {
             Ok(old) if old.place.source != 0 && old.place.source != key.source => {
                 let problem = format!("`{}` is animated and cannot be set to another value", path.join("."));
                 let help = "change the values of its track instead".to_owned();
-                self.faults.push(Fault { place: old.place, problem, help });
+                self.faults.push(SpannedError { place: old.place, problem, help });
             }
             Ok(old) => *old = value,
             Err(fault) => self.faults.push(fault),
@@ -154,30 +154,30 @@ impl Document {
 
     /// Returns the location of a part of a string, given in bytes of its text; exact unless the string is written with escapes.
     #[must_use]
-    pub fn inside(&self, node: &Node, part: Range<usize>) -> Place {
-        let Place { source, start, end } = node.place;
+    pub fn inside(&self, node: &Node, part: Range<usize>) -> Span {
+        let Span { source, start, end } = node.place;
         let written = self.sources[source].text.get(start..end);
         let offset = match &node.value {
             Value::Text(text) => written.and_then(|written| written.find(text.as_str())),
             _ => None,
         };
         match offset {
-            Some(offset) => Place { source, start: start + offset + part.start, end: start + offset + part.end },
+            Some(offset) => Span { source, start: start + offset + part.start, end: start + offset + part.end },
             None => node.place,
         }
     }
 
     /// Converts the location of a fault to a line and column.
     #[must_use]
-    pub fn locate(&self, fault: Fault) -> Mistake {
-        let Place { source, start, end } = fault.place;
+    pub fn locate(&self, fault: SpannedError) -> Diagnostic {
+        let Span { source, start, end } = fault.place;
         let source = &self.sources[source];
-        Mistake::locate(source.name.clone(), &source.text, start, end, fault.problem, fault.help)
+        Diagnostic::locate(source.name.clone(), &source.text, start, end, fault.problem, fault.help)
     }
 }
 
 /// The start of the file, the location of missing things that have no other location.
-pub const TOP: Place = Place { source: 0, start: 0, end: 0 };
+pub const TOP: Span = Span { source: 0, start: 0, end: 0 };
 
 /// The origin of the locations in a tree.
 #[derive(Debug, Clone, Copy, Default)]
@@ -188,8 +188,8 @@ struct Base {
 }
 
 impl Base {
-    fn place(self, span: Range<usize>) -> Place {
-        Place { source: self.source, start: span.start + self.offset, end: span.end + self.offset }
+    fn place(self, span: Range<usize>) -> Span {
+        Span { source: self.source, start: span.start + self.offset, end: span.end + self.offset }
     }
 }
 

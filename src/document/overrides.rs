@@ -1,7 +1,7 @@
 //! Overrides, `--set KEY=VALUE`, which are applied to the tree before anything is read from it.
 
 use super::error::SceneError;
-use super::{Base, Fault, Node, Place, Table, Value, node};
+use super::{Base, Node, Span, SpannedError, Table, Value, node};
 use std::str::FromStr;
 use toml::de::{DeTable, DeValue};
 
@@ -100,8 +100,8 @@ impl Override {
     }
 
     /// Applies the override to a tree in which this override's text is source number `source`. Missing tables are created.
-    pub(super) fn apply(&self, root: &mut Table, source: usize) -> Result<(), Fault> {
-        let key = Place { source, start: 0, end: self.text.find('=').unwrap_or(0) };
+    pub(super) fn apply(&self, root: &mut Table, source: usize) -> Result<(), SpannedError> {
+        let key = Span { source, start: 0, end: self.text.find('=').unwrap_or(0) };
         match &self.change {
             Change::Set(value) => {
                 let mut value = value.clone();
@@ -110,7 +110,7 @@ impl Override {
             }
             Change::LeaveOut if !leave_out(root, &self.path) => {
                 let problem = format!("cannot remove `{}`, which does not exist", self.path.join("."));
-                return Err(Fault { place: key, problem, help: "write a value after `=`".to_owned() });
+                return Err(SpannedError { place: key, problem, help: "write a value after `=`".to_owned() });
             }
             Change::LeaveOut => {}
             Change::LeaveOutIfThere => _ = leave_out(root, &self.path),
@@ -121,10 +121,10 @@ impl Override {
 
 /// Returns the value at `path`: each name leads to a table, which may be new, or
 /// to an array that contains the next one. `key` is the location of the names.
-pub(super) fn reach<'a>(root: &'a mut Table, path: &[String], key: Place) -> Result<&'a mut Node, Fault> {
+pub(super) fn reach<'a>(root: &'a mut Table, path: &[String], key: Span) -> Result<&'a mut Node, SpannedError> {
     let mut at = entry(root, &path[0], key);
     for (depth, name) in path.iter().enumerate().skip(1) {
-        let fault = |problem: String| Fault { place: key, problem, help: String::new() };
+        let fault = |problem: String| SpannedError { place: key, problem, help: String::new() };
         let above = path[..depth].join(".");
         at = match &mut at.value {
             Value::Table(table) => entry(table, name, key),
@@ -170,7 +170,7 @@ fn leave_out_of(value: &mut Value, path: &[String]) -> bool {
 }
 
 /// Returns the value of `name`, an empty table if the key is new.
-fn entry<'a>(table: &'a mut Table, name: &str, key: Place) -> &'a mut Node {
+fn entry<'a>(table: &'a mut Table, name: &str, key: Span) -> &'a mut Node {
     let index = table.iter().position(|(n, ..)| n == name);
     let index = index.unwrap_or_else(|| {
         let empty = Node { place: key, value: Value::Table(Table::new()) };

@@ -6,9 +6,9 @@
 //!
 //! *Length.* Over 300 lines, because it is one type, with a method for each way to read a key.
 
-use super::error::{ENOUGH, Mistake};
+use super::error::{Diagnostic, ENOUGH};
 use super::values::{Read, suggest};
-use super::{Document, Fault, KeyReference, Node, Place, TOP, Table, Value};
+use super::{Document, KeyReference, Node, Span, SpannedError, TOP, Table, Value};
 use std::cell::{Cell, RefCell};
 use std::collections::BTreeSet;
 use std::ops::Range;
@@ -18,7 +18,7 @@ use std::path::Path;
 pub struct Reader<'a> {
     document: &'a Document,
     reference: &'a [KeyReference],
-    mistakes: RefCell<Vec<Mistake>>,
+    mistakes: RefCell<Vec<Diagnostic>>,
     asked: RefCell<BTreeSet<(&'static str, &'static str)>>,
 }
 
@@ -41,7 +41,7 @@ impl<'a> Reader<'a> {
     }
 
     /// Records a fault.
-    pub fn fault(&self, fault: Fault) {
+    pub fn fault(&self, fault: SpannedError) {
         if self.mistakes.borrow().len() < ENOUGH {
             self.mistake(self.document.locate(fault));
         }
@@ -53,22 +53,22 @@ impl<'a> Reader<'a> {
     }
 
     /// Returns the line of a location, from 1.
-    pub fn line(&self, place: Place) -> usize {
-        self.document.locate(Fault { place, problem: String::new(), help: String::new() }).line
+    pub fn line(&self, place: Span) -> usize {
+        self.document.locate(SpannedError { place, problem: String::new(), help: String::new() }).line
     }
 
     /// Records an error in a part of a string, given in bytes of its text.
     pub fn fault_inside(&self, node: &Node, part: Range<usize>, problem: String, help: String) {
-        self.fault(Fault { place: self.document.inside(node, part), problem, help });
+        self.fault(SpannedError { place: self.document.inside(node, part), problem, help });
     }
 
     /// Records an error of another file.
-    pub fn mistake(&self, mistake: Mistake) {
+    pub fn mistake(&self, mistake: Diagnostic) {
         self.mistakes.borrow_mut().push(mistake);
     }
 
     /// Returns the recorded errors.
-    pub fn into_mistakes(self) -> Vec<Mistake> {
+    pub fn into_mistakes(self) -> Vec<Diagnostic> {
         self.mistakes.into_inner()
     }
 
@@ -92,7 +92,7 @@ impl<'a> Reader<'a> {
         None
     }
 
-    fn table(&self, path: &'static str, table: &'a Table, place: Place) -> TableReader<'_, 'a> {
+    fn table(&self, path: &'static str, table: &'a Table, place: Span) -> TableReader<'_, 'a> {
         TableReader { reader: self, path, table, place, asked: RefCell::default(), lenient: Cell::new(false) }
     }
 }
@@ -104,7 +104,7 @@ pub struct TableReader<'r, 'a> {
     path: &'static str,
     table: &'a Table,
     /// The table's header or braces.
-    pub place: Place,
+    pub place: Span,
     asked: RefCell<Vec<&'static str>>,
     lenient: Cell<bool>,
 }
@@ -133,8 +133,8 @@ impl<'r, 'a> TableReader<'r, 'a> {
 
     /// Returns the value, or records the fault of the key's value; a fault without help gets its help from the reference.
     fn accept<T>(&self, key: &str, read: Read<T>) -> Option<T> {
-        let explained = |fault: Fault| {
-            if fault.help.is_empty() { Fault { help: self.meaning(key), ..fault } } else { fault }
+        let explained = |fault: SpannedError| {
+            if fault.help.is_empty() { SpannedError { help: self.meaning(key), ..fault } } else { fault }
         };
         self.reader.accept(read.map_err(explained))
     }
@@ -237,7 +237,7 @@ impl<'r, 'a> TableReader<'r, 'a> {
             _ => None,
         };
         match node {
-            Some(node) => self.reader.fault(Fault { place: node.place, problem, help }),
+            Some(node) => self.reader.fault(SpannedError { place: node.place, problem, help }),
             None => self.fault(&[table], problem, help),
         }
     }
@@ -248,7 +248,7 @@ impl<'r, 'a> TableReader<'r, 'a> {
             let mut entries = self.table.iter();
             entries.find_map(|(name, _, node)| (name == key).then_some(node.place))
         };
-        self.reader.fault(Fault {
+        self.reader.fault(SpannedError {
             place: keys.iter().find_map(place).unwrap_or(self.place),
             problem: problem.into(),
             help: help.into(),
@@ -300,7 +300,7 @@ impl<'r, 'a> TableReader<'r, 'a> {
                 let help = format!("remove it, or use it with {with}; valid keys: {keys}");
                 (format!("`{name}` cannot be combined with the rest of this table"), help)
             };
-            self.reader.fault(Fault { place: *place, problem, help });
+            self.reader.fault(SpannedError { place: *place, problem, help });
         }
     }
 }

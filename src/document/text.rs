@@ -9,7 +9,7 @@ use std::io::{self, Read};
 use std::path::Path;
 use std::sync::OnceLock;
 
-use super::{Mistake, SceneError};
+use super::{Diagnostic, SceneError};
 
 /// Reads a whole file, which must be UTF-8 text.
 pub fn read_text(path: &Path) -> Result<String, SceneError> {
@@ -38,7 +38,7 @@ pub fn strict_text(mut bytes: Vec<u8>, path: &Path) -> Result<String, SceneError
             // The character that replaces an invalid byte is three bytes long, and begins at that byte.
             let text = String::from_utf8_lossy(error.as_bytes());
             let (problem, help) = not_text(error.as_bytes());
-            Err(SceneError::Mistakes(vec![Mistake::locate(path.to_owned(), &text, at, at + 3, problem, help)]))
+            Err(SceneError::Diagnostics(vec![Diagnostic::locate(path.to_owned(), &text, at, at + 3, problem, help)]))
         }
     }
 }
@@ -66,7 +66,7 @@ pub fn unmarked<'a>(bytes: &'a [u8], path: &Path) -> Result<&'a [u8], SceneError
     let Some(encoding) = wide_encoding(bytes) else { return Ok(bytes) };
     let problem = format!("the file is encoded as {encoding}, not as UTF-8");
     let help = format!("convert the file to UTF-8, for example with `iconv -f {encoding} -t UTF-8 FILE`");
-    Err(SceneError::Mistakes(vec![Mistake::locate(path.to_owned(), "", 0, 0, problem, help)]))
+    Err(SceneError::Diagnostics(vec![Diagnostic::locate(path.to_owned(), "", 0, 0, problem, help)]))
 }
 
 /// Returns the encoding of text with several bytes per character, by the name that `iconv` uses.

@@ -3,13 +3,13 @@
 //! Every number becomes a 32-bit float later, so all numbers must be finite, and 0 or between 10⁻³⁰ and 10³⁰ in magnitude.
 
 use super::synonyms::synonym;
-use super::{Fault, Node, Value};
+use super::{Node, SpannedError, Value};
 use glam::{DVec2, DVec3};
 use std::ops::RangeInclusive;
 use strsim::levenshtein;
 
 /// A value, or the fault of the node.
-pub type Read<T> = Result<T, Fault>;
+pub type Read<T> = Result<T, SpannedError>;
 
 /// The largest magnitude that a number in a scene may have.
 pub const LARGEST: f64 = 1e30;
@@ -18,13 +18,13 @@ pub const SMALLEST: f64 = 1e-30;
 
 impl Node {
     /// Returns a fault at this node.
-    pub fn fault(&self, problem: impl Into<String>, help: impl Into<String>) -> Fault {
-        Fault { place: self.place, problem: problem.into(), help: help.into() }
+    pub fn fault(&self, problem: impl Into<String>, help: impl Into<String>) -> SpannedError {
+        SpannedError { place: self.place, problem: problem.into(), help: help.into() }
     }
 
     /// Returns the fault that this node is not the expected value.
     #[must_use]
-    pub fn expected(&self, what: &str) -> Fault {
+    pub fn expected(&self, what: &str) -> SpannedError {
         let found = match &self.value {
             Value::Text(text) => &format!("the string {text:?}"),
             Value::Integer(_) => "a whole number",

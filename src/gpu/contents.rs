@@ -12,7 +12,7 @@ use super::records::pack;
 use super::source::Source;
 use super::textures::upload_picture;
 use super::uniforms::schedule_values;
-use super::{Geometry, Gpu, GpuError, LightField};
+use super::{Geometry, Gpu, GpuError, LightGridData};
 use crate::program::{Binding, BindingKind, BlockMember, Layout, Program, Role, SceneValue};
 use crate::scene::{Picture, Scene};
 
@@ -37,7 +37,7 @@ impl SceneBuffers {
         scene: &Scene,
         geometry: &Geometry,
         program: &Program,
-        fields: &[LightField],
+        fields: &[LightGridData],
         segments: u32,
         (before, mut stored): (Option<&Self>, Option<&mut Stored>),
     ) -> Result<Self, GpuError> {

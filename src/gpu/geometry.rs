@@ -5,11 +5,11 @@ use std::sync::Arc;
 use glam::{DVec3, Vec3};
 
 use super::hierarchy::{Item, LEAF, Node};
-use super::instances::{Instances, KeptMesh};
-use super::structure::Built;
+use super::instances::{InstancedMesh, Instances};
+use super::structure::AccelStructure;
 use crate::assets::{Mesh, Vertex};
 use crate::model::Object;
-use crate::model::shape::{Placed, SOLIDS, Solid};
+use crate::model::shape::{Placed, Primitive, SOLIDS};
 use crate::program::{Analysis, Extent, Structure, constant, solid_code};
 use crate::scene::Scene;
 
@@ -45,11 +45,11 @@ fn triangle() -> &'static str {
 
 /// The parts of a frame's geometry that the next frame may reuse.
 #[derive(Debug, Clone, Default)]
-pub struct Before {
+pub struct PreviousGeometry {
     /// The acceleration structure.
-    pub structure: Option<Built>,
+    pub structure: Option<AccelStructure>,
     /// The instanced meshes.
-    pub meshes: Vec<Arc<KeptMesh>>,
+    pub meshes: Vec<Arc<InstancedMesh>>,
 }
 
 /// All objects that a ray can hit.
@@ -58,7 +58,7 @@ pub struct Geometry {
     /// The shapes, by the names of their solids.
     pub placed: std::collections::BTreeMap<&'static str, Vec<PlacedShape>>,
     /// The acceleration structure that segments search.
-    pub structure: Built,
+    pub structure: AccelStructure,
     /// The instances of meshes.
     pub instances: Instances,
     /// The three vertices and the object of each triangle; the object is 0 for instanced meshes.
@@ -77,12 +77,12 @@ impl Geometry {
     /// Places every object of the scene and builds the acceleration structure.
     #[must_use]
     pub fn new(scene: &Scene) -> Self {
-        Self::after(Before::default(), scene)
+        Self::after(PreviousGeometry::default(), scene)
     }
 
     /// Creates the geometry like [`Self::new`], but reuses an earlier structure over the same boxes and the hierarchies of the same meshes.
     #[must_use]
-    pub fn after(before: Before, scene: &Scene) -> Self {
+    pub fn after(before: PreviousGeometry, scene: &Scene) -> Self {
         let instances = Instances::after(before.meshes);
         let mut geometry = Self { analysis: Analysis::of(scene), instances, ..Self::default() };
         let structure = geometry.analysis.structure.clone();
@@ -108,8 +108,8 @@ impl Geometry {
 
     /// Returns the parts that the next frame may reuse.
     #[must_use]
-    pub fn into_before(self) -> Before {
-        Before { structure: Some(self.structure), meshes: self.instances.into_meshes() }
+    pub fn into_before(self) -> PreviousGeometry {
+        PreviousGeometry { structure: Some(self.structure), meshes: self.instances.into_meshes() }
     }
 
     /// Returns the number of nodes and items that a search may visit; for instanced meshes, all nodes in every instance.
@@ -187,9 +187,9 @@ impl Geometry {
     }
 
     /// Builds the acceleration structure, and sorts its contents into the order of its leaves.
-    fn build(&mut self, structure: &Structure, before: Option<Built>) {
+    fn build(&mut self, structure: &Structure, before: Option<AccelStructure>) {
         let leaf = if structure.once { 1 } else { LEAF };
-        let built = Built::new(self.items(structure), structure.search, leaf, before);
+        let built = AccelStructure::new(self.items(structure), structure.search, leaf, before);
         for (kind, shapes) in self.placed.iter_mut().filter(|(kind, _)| holds(structure, kind)) {
             let old = shapes.clone();
             for (shape, from) in shapes.iter_mut().zip(built.moved(code(kind))) {
@@ -238,5 +238,5 @@ impl Geometry {
 }
 
 fn holds(structure: &Structure, name: &str) -> bool {
-    structure.solids.iter().any(|solid: &&Solid| solid.name == name)
+    structure.solids.iter().any(|solid: &&Primitive| solid.name == name)
 }

@@ -13,7 +13,7 @@ use crate::model::{Object, Row, row};
 
 /// A mesh, and the hierarchy over its triangles.
 #[derive(Debug)]
-pub struct KeptMesh {
+pub struct InstancedMesh {
     /// The mesh as it was read.
     pub mesh: Arc<Mesh>,
     /// The hierarchy's nodes.
@@ -22,7 +22,7 @@ pub struct KeptMesh {
     pub triangles: Vec<[u32; 3]>,
 }
 
-impl KeptMesh {
+impl InstancedMesh {
     fn new(mesh: &Arc<Mesh>) -> Self {
         let item = |(i, corners): (usize, &[u32; 3])| {
             let [p, q, r] = corners.map(|corner| mesh.vertices[corner as usize].position);
@@ -51,22 +51,22 @@ pub struct Instance {
 /// All instanced meshes, and their instances in the order of the leaves of the acceleration structure.
 #[derive(Debug, Clone, Default)]
 pub struct Instances {
-    meshes: Vec<Arc<KeptMesh>>,
+    meshes: Vec<Arc<InstancedMesh>>,
     places: Vec<Instance>,
     /// The meshes of an earlier frame.
-    before: Vec<Arc<KeptMesh>>,
+    before: Vec<Arc<InstancedMesh>>,
 }
 
 impl Instances {
     /// Creates an empty set, which reuses the hierarchies of an earlier frame's meshes.
     #[must_use]
-    pub fn after(before: Vec<Arc<KeptMesh>>) -> Self {
+    pub fn after(before: Vec<Arc<InstancedMesh>>) -> Self {
         Self { before, ..Self::default() }
     }
 
     /// Returns the meshes for the next frame to reuse.
     #[must_use]
-    pub fn into_meshes(self) -> Vec<Arc<KeptMesh>> {
+    pub fn into_meshes(self) -> Vec<Arc<InstancedMesh>> {
         self.meshes
     }
 
@@ -83,17 +83,17 @@ impl Instances {
     }
 
     /// Returns the meshes.
-    pub fn meshes(&self) -> impl Iterator<Item = &KeptMesh> {
+    pub fn meshes(&self) -> impl Iterator<Item = &InstancedMesh> {
         self.meshes.iter().map(|kept| &**kept)
     }
 
     /// Adds an instance of `mesh` for the object with this index.
     pub(super) fn add(&mut self, object: &Object, mesh: &Arc<Mesh>, index: u32) {
-        let is_same = |kept: &&Arc<KeptMesh>| Arc::ptr_eq(&kept.mesh, mesh);
+        let is_same = |kept: &&Arc<InstancedMesh>| Arc::ptr_eq(&kept.mesh, mesh);
         let known = self.meshes.iter().position(|kept| is_same(&kept));
         let which = known.unwrap_or_else(|| {
             let built = self.before.iter().find(is_same).cloned();
-            self.meshes.push(built.unwrap_or_else(|| Arc::new(KeptMesh::new(mesh))));
+            self.meshes.push(built.unwrap_or_else(|| Arc::new(InstancedMesh::new(mesh))));
             self.meshes.len() - 1
         });
         let own = object.transform.0.inverse();

@@ -73,7 +73,7 @@ impl LightVolume {
 
 /// The light of one source in each voxel.
 #[derive(Debug, Clone, PartialEq)]
-pub struct LightField {
+pub struct LightGridData {
     /// The positions of the voxels.
     pub volume: LightVolume,
     /// The number of subvoxels along each axis of a brick.
@@ -84,7 +84,7 @@ pub struct LightField {
     pub field: Vec<Vec4>,
 }
 
-impl LightField {
+impl LightGridData {
     /// Creates a field without bricks from the values of the voxels.
     #[must_use]
     pub fn new(volume: LightVolume, refine: u32, voxels: &[Vec4]) -> Self {

@@ -5,7 +5,7 @@
 use glam::DVec3;
 
 use super::GpuError;
-use super::LightField;
+use super::LightGridData;
 use super::geometry::PlacedShape;
 use super::glow::{black_bodies, orbits};
 use super::hierarchy::Node;
@@ -15,8 +15,8 @@ use super::records::{pack, pack_shared};
 use super::source::Source;
 use crate::model::Value::{self, Float, Uint, Uint4, Vec3};
 use crate::model::camera::{frequency, observer};
-use crate::model::shape::{SOLIDS, Solid};
-use crate::model::{Binding, Capture, Material, Object, Row, Travel, row};
+use crate::model::shape::{Primitive, SOLIDS};
+use crate::model::{Binding, Capture, Material, Object, RigidMotion, Row, row};
 use crate::program::{Layout, Obstacle, constant};
 use crate::scene::{Clear, Lamp, Light, LightSource, Segment, Shadows};
 
@@ -62,7 +62,7 @@ impl Source<'_> {
 
     /// Returns the lists of each solid: shapes on which rays end, shapes with two sides, and all shapes.
     fn solids(&self) -> Vec<Binding> {
-        let lists = |solid: &Solid| {
+        let lists = |solid: &Primitive| {
             let lists = solid.lists.as_ref()?;
             let all = self.geometry.placed.get(solid.name).map_or(&[][..], Vec::as_slice);
             let test = |shape: &PlacedShape| (lists.row)(&shape.placed);
@@ -249,7 +249,7 @@ impl Source<'_> {
             row! { color: Vec3(DVec3::splat(beam.lamp.power)), falls: Uint(1), position: Vec3(beam.lamp.center) }
         });
         let (mut bricks, mut values) = (0, 0);
-        let row = |(own, field): (Row, &LightField)| {
+        let row = |(own, field): (Row, &LightGridData)| {
             let place = field.row(bricks, values);
             bricks += field.bricks.len();
             values += field.field.len();
@@ -261,7 +261,7 @@ impl Source<'_> {
     /// Returns the motions of objects, with their primitives.
     fn travels(&self) -> Vec<Row> {
         let time = self.scene.camera.as_ref().map_or(0.0, |camera| camera.time);
-        let row = |(i, object, travel): (usize, &Object, &Travel)| -> Row {
+        let row = |(i, object, travel): (usize, &Object, &RigidMotion)| -> Row {
             [travel.values(object.ball(), time), row! { item: Uint(self.geometry.primitive(i)) }].concat()
         };
         self.scene.travels().map(row).collect()

@@ -11,7 +11,7 @@ use wgpu::{
 
 use super::device::{GROUP_WIDTH, LANE_PIXELS};
 use super::{Gpu, GpuError, Pipeline, adapters};
-use crate::program::{Binding, BindingKind, Layout, Linked, Pass, Program, Reflection};
+use crate::program::{Binding, BindingKind, Layout, LinkedProgram, Pass, Program, Reflection};
 
 /// All passes of a program.
 #[derive(Debug)]
@@ -26,7 +26,7 @@ impl Pipelines {
     pub fn new(gpu: &Gpu, program: &Program, width: u32) -> Result<Self, GpuError> {
         let group = narrowed(gpu.group, width);
         let stage = gpu.progress.counted("compiling pass", program.passes.len());
-        let made = |(pass, linked, reflection): &(Pass, Linked, Reflection)| {
+        let made = |(pass, linked, reflection): &(Pass, LinkedProgram, Reflection)| {
             let pipeline = Pipeline::new(gpu, linked, reflection, group[0])?;
             stage.advance(1.0);
             Ok((*pass, pipeline))
@@ -48,7 +48,7 @@ impl Pipelines {
 
 impl Pipeline {
     /// Compiles one linked program with workgroups of `across` pixels, unless it is cached.
-    pub fn new(gpu: &Gpu, linked: &Linked, reflection: &Reflection, across: u32) -> Result<Self, GpuError> {
+    pub fn new(gpu: &Gpu, linked: &LinkedProgram, reflection: &Reflection, across: u32) -> Result<Self, GpuError> {
         if let Some(compiled) = gpu.compiled.find(&linked.source, across) {
             return Ok(compiled);
         }
@@ -57,7 +57,7 @@ impl Pipeline {
         Ok(pipeline)
     }
 
-    fn compile(gpu: &Gpu, linked: &Linked, reflection: &Reflection, across: u32) -> Result<Self, GpuError> {
+    fn compile(gpu: &Gpu, linked: &LinkedProgram, reflection: &Reflection, across: u32) -> Result<Self, GpuError> {
         if reflection.doubles && !gpu.f64 {
             let there = adapters().into_iter().filter(|adapter| adapter.f64).map(|adapter| adapter.info.name).collect();
             return Err(GpuError::NoDouble { device: gpu.info.name.clone(), there });

@@ -51,7 +51,7 @@ impl Slots {
 
 /// The property that the pixels of a list share.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub enum Listed {
+pub enum PixelListKind {
     /// Their rays are active: they are traveling, or about to scatter.
     Active,
     /// They have an unfinished path, if surfaces split rays.
@@ -64,7 +64,7 @@ pub enum Listed {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct List {
     /// The kind of its pixels.
-    pub of: Listed,
+    pub of: PixelListKind,
     /// The index of the list: 0 or 1.
     pub side: usize,
 }
@@ -72,13 +72,13 @@ pub struct List {
 impl List {
     /// Returns the `n`-th list, if the two alternate.
     #[must_use]
-    pub fn nth(of: Listed, n: u64) -> Self {
+    pub fn nth(of: PixelListKind, n: u64) -> Self {
         Self { of, side: (n % 2) as usize }
     }
 
     /// Returns both lists of a kind.
     #[must_use]
-    pub fn both(of: Listed) -> [Self; 2] {
+    pub fn both(of: PixelListKind) -> [Self; 2] {
         [0, 1].map(|side| Self { of, side })
     }
 
@@ -125,18 +125,18 @@ pub struct Sections {
 impl Sections {
     /// Returns the number of arguments for a list.
     #[must_use]
-    pub fn of(&self, list: Listed) -> u64 {
+    pub fn of(&self, list: PixelListKind) -> u64 {
         match list {
-            Listed::Active => self.active,
-            Listed::Open => self.open,
-            Listed::Wanted => 1,
+            PixelListKind::Active => self.active,
+            PixelListKind::Open => self.open,
+            PixelListKind::Wanted => 1,
         }
     }
 
     /// Returns the size of all buffers together, in bytes.
     #[must_use]
     pub fn bytes(&self) -> u64 {
-        let lists = [Listed::Active, Listed::Open, Listed::Wanted].map(|list| 2 * self.of(list));
+        let lists = [PixelListKind::Active, PixelListKind::Open, PixelListKind::Wanted].map(|list| 2 * self.of(list));
         SECTION * (self.parameters + lists.iter().sum::<u64>())
     }
 }

@@ -1,6 +1,6 @@
 //! Collects the inputs for the values of a scene's bindings.
 
-use super::{Geometry, LightField};
+use super::{Geometry, LightGridData};
 use crate::model::Binding;
 use crate::program::Program;
 use crate::scene::Scene;
@@ -11,7 +11,7 @@ pub(super) struct Source<'a> {
     pub(super) geometry: &'a Geometry,
     pub(super) program: &'a Program,
     /// The fields of the lights that have a grid.
-    pub(super) fields: &'a [LightField],
+    pub(super) fields: &'a [LightGridData],
     /// K, the number of segments of one fused pass.
     pub(super) segments: u32,
     /// The bindings of the scene's kinds.

@@ -28,7 +28,7 @@ pub struct Grid {
 
 /// An acceleration structure over items.
 #[derive(Debug, Clone, Default, PartialEq)]
-pub struct Built {
+pub struct AccelStructure {
     /// The primitives of the items, in the order in which the structure refers to them.
     pub items: Vec<u32>,
     /// The nodes, if it is a hierarchy.
@@ -43,7 +43,7 @@ pub struct Built {
     top: Vec<Node>,
 }
 
-impl Built {
+impl AccelStructure {
     /// Builds a structure over items, whose primitives are renumbered kind by kind in the order of a hierarchy's leaves, whatever the
     /// search: neighbors in space are neighbors in memory, and all structures choose the same one of two coincident hits. No leaf has more
     /// than `leaf` items. `before` is reused if it was built over the same items, as between frames in which nothing moves.
@@ -153,7 +153,7 @@ const ENTRIES: usize = 32;
 /// The maximum number of cells along an axis.
 const FINEST: f64 = 512.0;
 
-fn grid(items: &[Item]) -> Built {
+fn grid(items: &[Item]) -> AccelStructure {
     let (lo, hi) = items.iter().fold((Vec3::INFINITY, Vec3::NEG_INFINITY), |all, i| (all.0.min(i.lo), all.1.max(i.hi)));
     let (lo, hi) = (lo.as_dvec3(), hi.as_dvec3());
     // Give a flat scene some thickness, and keep items in the outermost faces inside.
@@ -172,7 +172,7 @@ fn grid(items: &[Item]) -> Built {
 }
 
 /// Puts every item into the cells that its box overlaps, or returns `None` if there are too many entries.
-fn filled(mut grid: Grid, items: &[Item]) -> Option<Built> {
+fn filled(mut grid: Grid, items: &[Item]) -> Option<AccelStructure> {
     let [nx, ny, nz] = grid.count;
     let last = DVec3::new(f64::from(nx - 1), f64::from(ny - 1), f64::from(nz - 1));
     // An item that rounding may move into a neighboring cell is put into both.
@@ -211,5 +211,5 @@ fn filled(mut grid: Grid, items: &[Item]) -> Option<Built> {
         }
     }
     grid.cells = cells;
-    Some(Built { items: filled, grid: Some(grid), ..Built::default() })
+    Some(AccelStructure { items: filled, grid: Some(grid), ..AccelStructure::default() })
 }

@@ -10,7 +10,7 @@ use wgpu::{
 };
 
 use super::pipeline::texture_format;
-use super::slots::{List, Listed, SECTION, Sections, Selection};
+use super::slots::{List, PixelListKind, SECTION, Sections, Selection};
 use super::{Gpu, GpuError, Pipeline, SceneBuffers};
 use crate::program::{Access, Binding, BindingKind, Pass, Program, Role, Slot};
 
@@ -104,9 +104,9 @@ fn lists(program: &Program) -> Vec<List> {
     for (pass, _, reflection) in &program.passes {
         if reflection.bindings.iter().any(|binding| binding.role == Role::List(Access::Write)) {
             written.insert(match pass {
-                Pass::Shade => Listed::Open,
-                Pass::Refine => Listed::Wanted,
-                _ => Listed::Active,
+                Pass::Shade => PixelListKind::Open,
+                Pass::Refine => PixelListKind::Wanted,
+                _ => PixelListKind::Active,
             });
         }
     }
@@ -153,7 +153,7 @@ impl Tile {
             let label = format!("list_{}", list.number());
             tile.lists.insert(list, buffer(gpu, &label, 4 * pixels, BufferUsages::STORAGE)?);
         }
-        for of in [Listed::Active, Listed::Open, Listed::Wanted] {
+        for of in [PixelListKind::Active, PixelListKind::Open, PixelListKind::Wanted] {
             for list in List::both(of) {
                 let label = format!("arguments_{}", list.number());
                 let usage = BufferUsages::STORAGE | BufferUsages::INDIRECT;

@@ -4,7 +4,7 @@ use std::fmt;
 
 use crate::render::{Status, Traced};
 
-use super::{Known, Truth};
+use super::{Known, ReferenceSolution};
 
 /// Quantiles of errors.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -50,7 +50,7 @@ impl Quantiles {
 
 /// The errors of a run, over the rays with a known reference solution.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Deviations {
+pub struct ErrorStats {
     /// The number of rays compared, whose correct termination is certain.
     pub rays: usize,
     /// The number of rays whose end is not fully known.
@@ -70,11 +70,11 @@ pub struct Deviations {
     pub seen: Quantiles,
 }
 
-impl Deviations {
+impl ErrorStats {
     /// Compares `rays` with the reference solution. For captured rays only the status is compared, because they are black wherever they
     /// cross the horizon. Pixels without rays are ignored.
     #[must_use]
-    pub fn new(rays: &[Traced], truth: &Truth) -> Self {
+    pub fn new(rays: &[Traced], truth: &ReferenceSolution) -> Self {
         let there = |(_, truth): &(&Traced, &Traced)| truth.status != Status::Outside;
         let of = |known: fn(&Known) -> Option<&Traced>| -> Vec<(&Traced, &Traced)> {
             rays.iter().zip(&truth.0).filter_map(|(ray, truth)| Some((ray, known(truth)?))).filter(there).collect()
@@ -142,7 +142,7 @@ mod tests {
 
     #[test]
     fn fates_are_counted_apart_from_errors() {
-        let truth = Truth(vec![
+        let truth = ReferenceSolution(vec![
             Known::Whole(ray(Status::Escaped, [0.0, 0.0, 1.0])),
             Known::Whole(ray(Status::Escaped, [0.0, 0.0, 1.0])),
             Known::Whole(ray(Status::Captured, [0.0, 0.0, 1.0])),
@@ -156,7 +156,7 @@ mod tests {
             ray(Status::Stalled, [0.0, 0.0, 1.0]),
             ray(Status::Escaped, [1.0, 0.0, 0.0]),
         ];
-        let found = Deviations::new(&rays, &truth);
+        let found = ErrorStats::new(&rays, &truth);
         assert_eq!((found.rays, found.unresolved, found.wrong, found.flagged), (4, 1, 2, 1));
         // Half of 1e-9, as v has length 2: small angles keep their digits.
         assert!((found.angle.max - 5e-10).abs() < 1e-20, "{:e}", found.angle.max);
@@ -166,10 +166,10 @@ mod tests {
     #[test]
     fn a_certain_end_counts() {
         let escaped = ray(Status::Escaped, [0.0, 0.0, 1.0]);
-        let truth = Truth(vec![Known::Whole(escaped), Known::End(escaped), Known::End(escaped)]);
+        let truth = ReferenceSolution(vec![Known::Whole(escaped), Known::End(escaped), Known::End(escaped)]);
         let found = |last| {
             let rays = [escaped, ray(Status::Escaped, [0.3, 0.0, 1.0]), ray(last, [0.0, 0.0, 1.0])];
-            Deviations::new(&rays, &truth)
+            ErrorStats::new(&rays, &truth)
         };
         let right = found(Status::Escaped);
         assert_eq!((right.rays, right.wrong, right.unresolved, right.seen.max), (3, 0, 2, 0.0));

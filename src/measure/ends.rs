@@ -48,7 +48,7 @@ impl End {
         matches!(self.status, Status::Alive | Status::Exhausted | Status::Stalled | Status::Failed)
     }
 
-    /// Returns the error as in [`Deviations::seen`](super::Deviations::seen), in radians; infinite for another status or object.
+    /// Returns the error as in [`ErrorStats::seen`](super::ErrorStats::seen), in radians; infinite for another status or object.
     fn seen(&self, truth: &Self) -> f64 {
         if (self.status, self.object) != (truth.status, truth.object) {
             return f64::INFINITY;

@@ -2,7 +2,7 @@
 
 use crate::model::control::PLANNED;
 use crate::model::law::UsualSteps;
-use crate::model::method::{CLOSED_FORMS, Kind, METHODS, Path, TOLERANT};
+use crate::model::method::{CLOSED_FORMS, METHODS, MethodKind, Path, TOLERANT};
 use crate::model::{Control, Method};
 use crate::scene::Scene;
 
@@ -20,7 +20,7 @@ pub struct Candidate {
 }
 
 impl Candidate {
-    fn all_of(kind: &'static Kind) -> impl Iterator<Item = Self> {
+    fn all_of(kind: &'static MethodKind) -> impl Iterator<Item = Self> {
         let (method, closed_forms) = (Method::new(kind), kind.closed_forms);
         (kind.sweeps)().into_iter().map(move |(name, controls)| Self { name, method, controls, closed_forms })
     }
@@ -53,7 +53,7 @@ pub fn fast_methods(scene: &Scene) -> Vec<Candidate> {
     for method in &mut methods {
         method.closed_forms = true;
     }
-    let all: Vec<&Kind> = methods.iter().map(|candidate| candidate.method.kind).collect();
+    let all: Vec<&MethodKind> = methods.iter().map(|candidate| candidate.method.kind).collect();
     methods.retain(|candidate| !all.iter().any(|other| outdoes(other, candidate.method.kind)));
     methods
 }
@@ -72,8 +72,8 @@ pub fn usual_method(scene: &Scene) -> Option<Candidate> {
 }
 
 /// Returns `true` if the other method has equal order and planned steps with fewer evaluations of the same derivative.
-fn outdoes(other: &Kind, kind: &Kind) -> bool {
-    let planned = |kind: &Kind| kind.path == Path::Steps && kind.controls.starts_with(&PLANNED);
+fn outdoes(other: &MethodKind, kind: &MethodKind) -> bool {
+    let planned = |kind: &MethodKind| kind.path == Path::Steps && kind.controls.starts_with(&PLANNED);
     planned(other) && planned(kind) && other.order == kind.order && other.evaluations < kind.evaluations
 }
 

@@ -26,7 +26,7 @@ mod winding;
 pub use crate::model::method::method_words;
 pub use calibrate::{Calibration, Preparation, calibrate, calibrate_for};
 pub use curve::Curve;
-pub use deviation::{Deviations, Quantiles};
+pub use deviation::{ErrorStats, Quantiles};
 pub use drift::drift;
 pub use ends::{Settled, compared_layers};
 pub use focus::{Focus, focus};
@@ -34,6 +34,6 @@ pub use methods::{Candidate, all_methods, cost, evaluations, fast_methods, usual
 pub use sample::{every_pixel, scattered};
 pub use shooting::calibrate_paths;
 pub use trials::Trial;
-pub use truth::{Known, Truth, double_device, reference};
+pub use truth::{Known, ReferenceSolution, double_device, reference};
 pub use verify::{Verification, verify};
 pub use winding::windings;

@@ -3,7 +3,7 @@
 use std::cmp::Ordering;
 use std::fmt;
 
-use super::{Candidate, Deviations, Truth, cost, fast_methods, method_words, scattered};
+use super::{Candidate, ErrorStats, ReferenceSolution, cost, fast_methods, method_words, scattered};
 use crate::gpu::Gpu;
 use crate::model::method::TOLERANT;
 use crate::render::{RenderError, RenderSettings, Starts, Traced, Tracer};
@@ -45,7 +45,7 @@ pub(super) struct Trials<'a> {
     settings: RenderSettings,
     given: Option<Vec<[f64; 6]>>,
     pixels: Vec<[u32; 2]>,
-    pub truth: Truth,
+    pub truth: ReferenceSolution,
     accuracy: f64,
 }
 
@@ -62,7 +62,7 @@ impl<'a> Trials<'a> {
         let given =
             given.map(|rays| rays.iter().step_by(rays.len().div_ceil(RAYS).max(1)).copied().collect::<Vec<_>>());
         let starts = given.as_deref().map_or(Starts::Pixels(&pixels, 1024), Starts::Given);
-        let truth = Truth::new(gpu, scene, tolerance, starts)?;
+        let truth = ReferenceSolution::new(gpu, scene, tolerance, starts)?;
         Ok(Self { gpu, scene, settings: settings.clone(), given, pixels, truth, accuracy })
     }
 
@@ -99,7 +99,7 @@ impl<'a> Trials<'a> {
         let mut tried = |control| -> Result<Trial, RenderError> {
             tracer.retune(control, scene.rays.max_segments)?;
             let (rays, _) = tracer.follow(self.starts())?;
-            let error = Deviations::new(&rays, &self.truth).seen.sure99;
+            let error = ErrorStats::new(&rays, &self.truth).seen.sure99;
             let mean = |count: fn(&Traced) -> u32| {
                 rays.iter().map(|ray| f64::from(count(ray))).sum::<f64>() / rays.len().max(1) as f64
             };

@@ -81,9 +81,9 @@ impl Known {
 
 /// The reference solutions of some rays.
 #[derive(Debug, Clone)]
-pub struct Truth(pub Vec<Known>);
+pub struct ReferenceSolution(pub Vec<Known>);
 
-impl Truth {
+impl ReferenceSolution {
     /// Computes the reference solutions of rays of the scene: the camera's, or given ones.
     pub fn new(gpu: &Gpu, scene: &Scene, tolerance: f64, starts: Starts) -> Result<Self, RenderError> {
         let other = double_device(gpu)?;

@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use super::{Deviations, Quantiles, Truth, scattered};
+use super::{ErrorStats, Quantiles, ReferenceSolution, scattered};
 use crate::gpu::Gpu;
 use crate::render::{RenderError, RenderSettings, Starts, trace_pixels};
 use crate::scene::Scene;
@@ -11,7 +11,7 @@ use crate::scene::Scene;
 #[derive(Debug, Clone, PartialEq)]
 pub struct Verification {
     /// The errors of the rays that were followed again.
-    pub found: Deviations,
+    pub found: ErrorStats,
     /// The tolerance of the reference solution.
     pub tolerance: f64,
 }
@@ -28,8 +28,8 @@ pub fn verify(gpu: &Gpu, scene: &Scene, settings: &RenderSettings, count: usize)
     let (rays, _) = trace_pixels(gpu, scene, settings, &pixels)?;
     let own = scene.rays.control.tolerance().unwrap_or(LOOSEST);
     let tolerance = (own / 1000.0).clamp(1e-13, LOOSEST);
-    let truth = Truth::new(gpu, scene, tolerance, Starts::Pixels(&pixels, 1024))?;
-    Ok(Verification { found: Deviations::new(&rays, &truth), tolerance })
+    let truth = ReferenceSolution::new(gpu, scene, tolerance, Starts::Pixels(&pixels, 1024))?;
+    Ok(Verification { found: ErrorStats::new(&rays, &truth), tolerance })
 }
 
 impl Verification {

@@ -10,7 +10,7 @@
 use glam::{DMat3, DVec3, DVec4};
 
 use super::halved::halved;
-use super::law::{CameraFrame, Law};
+use super::law::{Law, Observer};
 
 /// The state of matter at a distance ρ from the axis.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -68,7 +68,7 @@ impl<'a> Plane<'a> {
 
     /// Returns the circular orbit at ρ, without its flux.
     fn circular(&self, rho: f64) -> Option<Orbit> {
-        let u = self.law.observer(CameraFrame::ProgradeOrbit, self.at(rho))?.ok()?;
+        let u = self.law.observer(Observer::ProgradeOrbit, self.at(rho))?.ok()?;
         let g = self.law.metric(self.at(rho), 0.0)?;
         let lowered = g * u;
         let momentum = rho * lowered.dot(self.around.extend(0.0));

@@ -3,7 +3,7 @@
 //! *Theory.* A kind is one Rust file here with one WGSL file in `shaders/`. The Rust file defines how its keys are read, which WGSL modules
 //! implement its contract, their values, and every property that other code needs: invariants, capture regions, outlines, the order of a
 //! law, the closed form of a medium. The traits [`Law`], [`Medium`], [`Surface`], [`Shape`] and [`Projection`] and the rows
-//! [`method::Kind`], [`control::Kind`] and [`falloff::Kind`] define these properties; the rest of the program uses them and depends on no
+//! [`method::MethodKind`], [`control::ControlKind`] and [`falloff::FalloffKind`] define these properties; the rest of the program uses them and depends on no
 //! kind by name.
 //!
 //! *Practice.* The `mod.rs` of each folder contains its contract and its table, with one line per kind. Nothing here depends on a GPU:
@@ -32,14 +32,14 @@ mod value;
 pub use camera::{Camera, Projection, Stereo, StereoLayout};
 pub use control::Control;
 pub use filter::Filter;
-pub use law::{CameraFrame, Invariant, Landmark, Law, Orbit, Order};
+pub use law::{CharacteristicSurface, Invariant, Law, Observer, Orbit, Order};
 pub use material::{Material, Pattern, Surface};
 pub use medium::{Gloss, Interior, Medium};
 pub use method::Method;
 pub use motion::{CIRCLE, ClosedForm, HARMONIC, PARABOLA, SPIRAL, STRAIGHT, Start};
-pub use part::{OwnWgsl, Promise, Wgsl};
-pub use same::Same;
-pub use shape::{Object, Shape, Substance, Travel};
+pub use part::{Promise, UserWgsl, Wgsl};
+pub use same::DynEq;
+pub use shape::{Object, RigidMotion, Shape, Substance};
 pub use source::{Anchor, Capture, Source};
 pub use value::{Binding, Row, Value};
 

@@ -16,12 +16,12 @@ pub enum Wgsl {
         text: Cow<'static, str>,
     },
     /// A custom file.
-    Own(OwnWgsl),
+    Own(UserWgsl),
 }
 
 /// Custom WGSL code, which is checked for its required functions and cannot use other names.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct OwnWgsl {
+pub struct UserWgsl {
     /// The name in error messages.
     pub file: String,
     /// The WGSL code.

@@ -3,7 +3,7 @@
 use std::any::Any;
 
 /// A value that can be compared with any other kind and downcast. Every [`PartialEq`] kind implements it.
-pub trait Same: Any {
+pub trait DynEq: Any {
     /// Returns `true` if the other value has the same type and is equal.
     fn is_same(&self, other: &dyn Any) -> bool;
 
@@ -11,7 +11,7 @@ pub trait Same: Any {
     fn as_any(&self) -> &dyn Any;
 }
 
-impl<T: PartialEq + Any> Same for T {
+impl<T: PartialEq + Any> DynEq for T {
     fn is_same(&self, other: &dyn Any) -> bool {
         other.downcast_ref::<T>() == Some(self)
     }

@@ -56,7 +56,7 @@ fn read_numbers<const N: usize>(
     let bytes = read_given(path).map_err(|cause| OutputError::Read { path: name.to_owned(), cause })?;
     let text = strict_text(bytes, name).map_err(|error| {
         let (line, problem) = match &error {
-            SceneError::Mistakes(all) if !all.is_empty() => {
+            SceneError::Diagnostics(all) if !all.is_empty() => {
                 (all[0].line, format!("{}; {}", all[0].problem, all[0].help))
             }
             other => (1, other.to_string()),
@@ -68,14 +68,14 @@ fn read_numbers<const N: usize>(
 }
 
 /// A line number, from 1, and its problem.
-type Fault = (usize, String);
+type SpannedError = (usize, String);
 
 fn parse_numbers<const N: usize>(
     text: &str,
     what: &str,
     columns: &[&str; N],
     check: impl Fn(&[f64; N]) -> Result<(), String>,
-) -> Result<Vec<[f64; N]>, Fault> {
+) -> Result<Vec<[f64; N]>, SpannedError> {
     let mut lines = text.lines().enumerate().map(|(i, line)| (i + 1, line)).filter(|(_, line)| !line.trim().is_empty());
     let expected = columns.join(",");
     let (line, header) = lines.next().ok_or_else(|| (1, format!("the file is empty; begin it with {expected}")))?;

@@ -21,8 +21,8 @@ impl Schedule {
 
     /// Returns the default way to skip terminated rays; `paper` does it as W04 does.
     #[must_use]
-    pub fn masks(self) -> Masks {
-        if self == Self::Paper { Masks::Grid } else { Masks::List }
+    pub fn masks(self) -> RaySkipping {
+        if self == Self::Paper { RaySkipping::Grid } else { RaySkipping::List }
     }
 
     /// Returns `true` if one pass may compute several segments.
@@ -59,7 +59,7 @@ impl Schedule {
 
 /// The pixels over which passes process segments. All masks give the same image.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub enum Masks {
+pub enum RaySkipping {
     /// Every pixel, including pixels whose ray has terminated.
     Off,
     /// Every pixel while any ray is active; terminated rays are skipped in place.
@@ -160,7 +160,7 @@ pub struct Choice {
     /// The distribution of stages over passes.
     pub schedule: Schedule,
     /// The way in which terminated rays are skipped.
-    pub masks: Masks,
+    pub masks: RaySkipping,
     /// The use of the results, such as an image or a trace.
     pub purpose: Purpose,
     /// The layers to store, each once.
@@ -173,7 +173,7 @@ impl Default for Choice {
     fn default() -> Self {
         Self {
             schedule: Schedule::Whole,
-            masks: Masks::List,
+            masks: RaySkipping::List,
             purpose: Purpose::Picture,
             layers: Vec::new(),
             device: DeviceProfile::default(),

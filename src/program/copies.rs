@@ -7,7 +7,7 @@ use std::collections::BTreeSet;
 use std::fmt::Write as _;
 
 use super::declarations::{Declaration, declarations};
-use super::place::Place;
+use super::place::Location;
 use super::sources::{Source, Sources};
 use super::unit::Unit;
 use super::{ProgramError, linked};
@@ -42,7 +42,7 @@ pub(super) fn with_region_copies(sources: Sources) -> Result<(Vec<Declaration>, 
 fn split<'a>(sources: Vec<Source<'a>>, units: &[Unit]) -> Result<Vec<Declaration<'a>>, ProgramError> {
     let found = sources.into_iter().map(|source| declarations(source.tokens));
     let all = found.collect::<Result<Vec<_>, _>>();
-    let all = all.map_err(|slip| ProgramError::invalid(Place::of(units, slip.origin), slip.message))?;
+    let all = all.map_err(|slip| ProgramError::invalid(Location::of(units, slip.origin), slip.message))?;
     Ok(all.into_iter().flatten().collect())
 }
 
@@ -67,7 +67,7 @@ fn region_switches(
     let mut text = String::new();
     for declaration in wanted.into_iter().filter_map(own) {
         let refused = || ProgramError::NotSwitchable {
-            place: Place::of(units, declaration.origin()),
+            place: Location::of(units, declaration.origin()),
             name: declaration.name().to_owned(),
         };
         let switch = switch(declaration, regions.len(), |name| own(name).is_some()).ok_or_else(refused)?;

@@ -2,7 +2,7 @@
 
 use thiserror::Error;
 
-use super::place::Place;
+use super::place::Location;
 
 /// A program that could not be linked or is not valid. Scenes of built-in modules alone cause only the last of these errors.
 #[derive(Debug, Error)]
@@ -14,7 +14,7 @@ pub enum ProgramError {
     #[error("{place}: `{name}` is already declared in {other}")]
     Twice {
         /// The location of the declaration; of two locations, the one in the user's file.
-        place: Place,
+        place: Location,
         /// The name.
         name: String,
         /// The other file that declares it.
@@ -24,7 +24,7 @@ pub enum ProgramError {
     #[error("{place}: the name `{name}` is reserved by the renderer; choose another name")]
     Reserved {
         /// The location of the name.
-        place: Place,
+        place: Location,
         /// The name.
         name: String,
     },
@@ -38,7 +38,7 @@ pub enum ProgramError {
     )]
     NotSwitchable {
         /// The location of the declaration.
-        place: Place,
+        place: Location,
         /// The name.
         name: String,
     },
@@ -46,7 +46,7 @@ pub enum ProgramError {
     #[error("{place}: {message}")]
     Invalid {
         /// The location in the original file.
-        place: Place,
+        place: Location,
         /// The problem.
         message: String,
     },
@@ -54,7 +54,7 @@ pub enum ProgramError {
     #[error("{place}: the renderer provides no resource for the binding `{name}`")]
     UnknownBinding {
         /// The location of the declaration.
-        place: Place,
+        place: Location,
         /// The variable.
         name: String,
     },
@@ -72,7 +72,7 @@ pub enum ProgramError {
 }
 
 impl ProgramError {
-    pub(super) fn invalid(place: Place, message: String) -> Self {
+    pub(super) fn invalid(place: Location, message: String) -> Self {
         Self::Invalid { place, message }
     }
 }

@@ -21,10 +21,10 @@ use super::copies::with_region_copies;
 use super::declarations::{Declaration, declarations};
 use super::fold::folded;
 use super::inline::inlined;
-use super::linked::{Linked, refuse};
+use super::linked::{LinkedProgram, refuse};
 use super::loop_counts::counted;
 use super::lower::Lowering;
-use super::place::Place;
+use super::place::Location;
 use super::selections::select;
 use super::short_lists::in_uniforms;
 use super::sources::Sources;
@@ -34,12 +34,12 @@ use super::unroll::unrolled;
 use super::{DeviceProfile, ProgramError};
 
 /// Links the program of the pass with the entry point `entry`.
-pub fn link(parts: &Parts, entry: &str) -> Result<Linked, ProgramError> {
+pub fn link(parts: &Parts, entry: &str) -> Result<LinkedProgram, ProgramError> {
     link_all(parts, &[entry]).map(|mut all| all.remove(0))
 }
 
 /// Links the programs of several passes, in order, each named by its entry point.
-pub fn link_all(parts: &Parts, entries: &[&str]) -> Result<Vec<Linked>, ProgramError> {
+pub fn link_all(parts: &Parts, entries: &[&str]) -> Result<Vec<LinkedProgram>, ProgramError> {
     let mut sources = Sources::of(parts);
     sources.edit(|tokens, _| in_uniforms(tokens, &parts.lengths));
     sources.edit(folded);
@@ -79,7 +79,7 @@ fn pass(
     entry: &str,
     device: &DeviceProfile,
     pixels: &Pixels,
-) -> Result<Linked, ProgramError> {
+) -> Result<LinkedProgram, ProgramError> {
     let lowering = Lowering::of(entry, reached, device);
     let made = lowering.made().into_iter().chain(pixels.made()).collect();
     reached.iter().try_for_each(|declaration| refuse(declaration, &made, units))?;
@@ -93,7 +93,7 @@ fn pass(
     let mut numbered: Vec<_> = made.into_iter().chain(own).map(|declaration| numbers.given(declaration)).collect();
     // Generated declarations come last.
     numbered.sort_by_key(|declaration| rank.get(&declaration.origin().unit).copied().unwrap_or(usize::MAX));
-    let mut linked = Linked::new(entry, units.clone());
+    let mut linked = LinkedProgram::new(entry, units.clone());
     linked.push(&numbered);
     Ok(linked)
 }
@@ -107,7 +107,7 @@ pub(super) fn index<'d>(all: &'d [Declaration], units: &[Unit]) -> Result<HashMa
             places.sort_by_key(|origin| units[origin.unit].author != Author::User);
             let [at_fault, other] = places;
             return Err(ProgramError::Twice {
-                place: Place::of(units, at_fault),
+                place: Location::of(units, at_fault),
                 name: declaration.name().to_owned(),
                 other: units[other.unit].shown(),
             });

@@ -5,21 +5,23 @@ use std::sync::Arc;
 
 use super::ProgramError;
 use super::declarations::Declaration;
-use super::place::Place;
+use super::place::Location;
 use super::tokens::Origin;
 use super::unit::Unit;
 
 /// Rejects a declaration that contains one of these names, even as a local variable: the linker reserves them for itself.
 pub(super) fn refuse(declaration: &Declaration, names: &BTreeSet<String>, units: &[Unit]) -> Result<(), ProgramError> {
     match declaration.mentions(names) {
-        Some((origin, name)) => Err(ProgramError::Reserved { place: Place::of(units, origin), name: name.to_owned() }),
+        Some((origin, name)) => {
+            Err(ProgramError::Reserved { place: Location::of(units, origin), name: name.to_owned() })
+        }
         None => Ok(()),
     }
 }
 
 /// The program of one pass.
 #[derive(Debug, Clone)]
-pub struct Linked {
+pub struct LinkedProgram {
     /// The entry point's name.
     pub entry: String,
     /// The WGSL module.
@@ -32,7 +34,7 @@ pub struct Linked {
     marks: Vec<(usize, Origin)>,
 }
 
-impl Linked {
+impl LinkedProgram {
     /// Creates an empty program, to be written from these units.
     pub(super) fn new(entry: &str, units: Arc<Vec<Unit>>) -> Self {
         Self { entry: entry.to_owned(), source: String::new(), units, files: Vec::new(), marks: Vec::new() }
@@ -70,14 +72,14 @@ impl Linked {
 
     /// Returns the source location of position `at` of the module.
     #[must_use]
-    pub fn place(&self, at: usize) -> Place {
+    pub fn place(&self, at: usize) -> Location {
         let next = self.marks.partition_point(|(from, _)| *from <= at);
         let Some((from, origin)) = next.checked_sub(1).map(|last| self.marks[last]) else {
-            return Place::at_start(self.entry.clone());
+            return Location::at_start(self.entry.clone());
         };
         // Text that the linker generated for a token has the location of that token.
         let end = self.marks.get(next).map_or(at, |(next, _)| at.min(*next));
-        Place::of(&self.units, Origin { at: origin.at + (end - from).min(self.width(origin)), ..origin })
+        Location::of(&self.units, Origin { at: origin.at + (end - from).min(self.width(origin)), ..origin })
     }
 
     /// Returns the length of the word at this origin.

@@ -53,7 +53,7 @@ mod unroll;
 mod validate;
 
 pub use analysis::Analysis;
-pub use choice::{Choice, Masks, Pass, Purpose, Schedule};
+pub use choice::{Choice, Pass, Purpose, RaySkipping, Schedule};
 pub use error::ProgramError;
 pub use features::Features;
 
@@ -61,9 +61,9 @@ pub use generated::{all_shots, solid_code, solid_codes};
 pub use interface::{Access, Role, SceneValue, Slot, StatePart};
 pub use layer::{Layer, LayerKind};
 pub use link::{link, link_all};
-pub use linked::Linked;
+pub use linked::LinkedProgram;
 pub use parts::{Part, all_parts, constant, part};
-pub use place::Place;
+pub use place::Location;
 pub use plan::plan;
 pub use profile::{DeviceProfile, LoopBudget};
 pub use reflect::{Binding, BindingKind, BlockMember, Field, Layout, Reflection, element_bytes, reflect};
@@ -80,7 +80,7 @@ use reflect::reflect_pass;
 #[derive(Debug, Clone)]
 pub struct Program {
     /// The WGSL and the interface of each pass.
-    pub passes: Vec<(Pass, Linked, Reflection)>,
+    pub passes: Vec<(Pass, LinkedProgram, Reflection)>,
     /// The modules that the passes are linked from.
     parts: Parts,
     /// The features that the scene requires.
@@ -137,7 +137,7 @@ impl Program {
 }
 
 /// Links and reflects the passes.
-fn made(parts: &Parts, wanted: &[Pass]) -> Result<Vec<(Pass, Linked, Reflection)>, ProgramError> {
+fn made(parts: &Parts, wanted: &[Pass]) -> Result<Vec<(Pass, LinkedProgram, Reflection)>, ProgramError> {
     let entries: Vec<&str> = wanted.iter().map(|pass| pass.entry()).collect();
     let linked = link_all(parts, &entries)?;
     wanted

@@ -10,11 +10,11 @@ use std::sync::LazyLock;
 
 use super::declarations::{Declaration, declarations};
 use super::parts::part_tokens;
-use super::place::Place;
+use super::place::Location;
 use super::tokens::{Origin, Tokens, whole_number};
 use super::unit::Unit;
 use super::{ProgramError, all_parts};
-use crate::model::{OwnWgsl, Promise};
+use crate::model::{Promise, UserWgsl};
 
 /// WGSL functions that devices compute inaccurately, or in 32 bits instead of 64, and the replacements in the program.
 const INEXACT: [(&[&str], &str); 4] = [
@@ -25,9 +25,9 @@ const INEXACT: [(&[&str], &str); 4] = [
 ];
 
 /// Checks the file, and returns it with the modules that supply the functions it leaves out.
-pub(super) fn checked(own: &OwnWgsl) -> Result<(Unit, Vec<&'static str>), ProgramError> {
+pub(super) fn checked(own: &UserWgsl) -> Result<(Unit, Vec<&'static str>), ProgramError> {
     let unit = Unit::user(own.file.clone(), own.text.to_string());
-    let refuse = |origin: Origin, message: String| ProgramError::invalid(Place::in_unit(&unit, origin.at), message);
+    let refuse = |origin: Origin, message: String| ProgramError::invalid(Location::in_unit(&unit, origin.at), message);
     let found = declarations(Tokens::of(&unit.text)).map_err(|slip| refuse(slip.origin, slip.message))?;
     for declaration in &found {
         if let Some((origin, message)) = unfit(declaration) {
@@ -37,7 +37,7 @@ pub(super) fn checked(own: &OwnWgsl) -> Result<(Unit, Vec<&'static str>), Progra
     let promised: Vec<&str> = own.promises.iter().map(Promise::name).collect();
     let meant = names_of_parts();
     if let Some(declaration) = found.iter().find(|d| !promised.contains(&d.name()) && meant.contains(d.name())) {
-        let place = Place::in_unit(&unit, declaration.origin().at);
+        let place = Location::in_unit(&unit, declaration.origin().at);
         return Err(ProgramError::Reserved { place, name: declaration.name().to_owned() });
     }
     let mut usual = Vec::new();

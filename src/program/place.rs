@@ -7,7 +7,7 @@ use super::unit::Unit;
 
 /// A location in a file.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Place {
+pub struct Location {
     /// The file's name in messages.
     pub file: String,
     /// The line, from 1.
@@ -16,7 +16,7 @@ pub struct Place {
     pub column: usize,
 }
 
-impl Place {
+impl Location {
     /// Returns the location of a token of a program.
     pub(super) fn of(units: &[Unit], origin: Origin) -> Self {
         units.get(origin.unit).map_or_else(|| Self::at_start(String::new()), |unit| Self::in_unit(unit, origin.at))
@@ -35,7 +35,7 @@ impl Place {
     }
 }
 
-impl fmt::Display for Place {
+impl fmt::Display for Location {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         write!(f, "{}:{}:{}", self.file, self.line, self.column)
     }

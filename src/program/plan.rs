@@ -8,7 +8,7 @@ use super::region_parts::region_parts;
 use super::regions::RegionKind;
 use super::structure::solids;
 use super::unit::Parts;
-use super::{Analysis, Features, Masks, ProgramError, generated, short_lists};
+use super::{Analysis, Features, ProgramError, RaySkipping, generated, short_lists};
 use crate::model::source::ANCHORS;
 use crate::scene::{Precision, Scene, Segment};
 
@@ -114,14 +114,14 @@ fn shadow_parts(features: &Features, names: &mut Names) {
 
 fn schedule_parts(features: &Features, names: &mut Names) {
     names.all(&[
-        if features.masks == Masks::List { "state/active/list" } else { "state/active/grid" },
+        if features.masks == RaySkipping::List { "state/active/list" } else { "state/active/grid" },
         "state/round",
         samples_part(features),
     ]);
     names.all(match features.masks {
         _ if features.purpose.leaves_light() => &["segment/run_active", "segment/leave_light"],
-        Masks::Off => &["segment/run_all"],
-        Masks::Grid | Masks::List => &["segment/run_active"],
+        RaySkipping::Off => &["segment/run_all"],
+        RaySkipping::Grid | RaySkipping::List => &["segment/run_active"],
     });
 }
 

@@ -5,7 +5,7 @@ use naga::{AddressSpace, ArraySize, ImageClass, Module, ScalarKind, StorageAcces
 use super::ProgramError;
 use super::interface::{PICTURE, Role, SceneValue};
 use super::link::link;
-use super::linked::Linked;
+use super::linked::LinkedProgram;
 use super::parts::part;
 use super::unit::{Parts, Unit};
 use super::validate::validated;
@@ -117,7 +117,7 @@ pub struct Field {
 }
 
 /// Validates the program and reads its interface; errors name the location in the original file.
-pub fn reflect(linked: &Linked) -> Result<Reflection, ProgramError> {
+pub fn reflect(linked: &LinkedProgram) -> Result<Reflection, ProgramError> {
     let module = validated(linked)?;
     let mut bindings = Vec::new();
     for (handle, variable) in module.global_variables.iter() {
@@ -153,7 +153,7 @@ pub fn element_bytes(part_name: &str, list: &str) -> Result<u32, ProgramError> {
 }
 
 /// Reflects a pass as [`reflect`] does; it is an error if a binding has no role.
-pub(super) fn reflect_pass(linked: &Linked) -> Result<Reflection, ProgramError> {
+pub(super) fn reflect_pass(linked: &LinkedProgram) -> Result<Reflection, ProgramError> {
     let reflection = reflect(linked)?;
     for Binding { name, role, .. } in &reflection.bindings {
         if let Role::Other { at } = role {
@@ -163,7 +163,7 @@ pub(super) fn reflect_pass(linked: &Linked) -> Result<Reflection, ProgramError> 
     Ok(reflection)
 }
 
-fn nothing_to_bind(linked: &Linked, at: usize, name: &str) -> ProgramError {
+fn nothing_to_bind(linked: &LinkedProgram, at: usize, name: &str) -> ProgramError {
     ProgramError::UnknownBinding { place: linked.place(at), name: name.to_owned() }
 }
 

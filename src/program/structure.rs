@@ -9,7 +9,7 @@ use std::sync::Arc;
 
 use super::regions::{RegionKind, Regions};
 use super::{ProgramError, constant};
-use crate::model::shape::Solid;
+use crate::model::shape::Primitive;
 use crate::scene::{Accelerate, Object, Scene, Segment};
 
 /// The largest number of triangles in copies of meshes; beyond it, meshes are instanced. On a CPU copies are
@@ -68,7 +68,7 @@ pub struct Structure {
     /// The way in which it is searched.
     pub search: Search,
     /// The solids whose opaque objects are in it; all objects with meshes are in it.
-    pub solids: Vec<&'static Solid>,
+    pub solids: Vec<&'static Primitive>,
     /// Whether lists are unrolled item by item, instead of traversed in a loop.
     pub written_out: bool,
     /// Whether the shapes near a segment are found first, for all lists and the structure at once.
@@ -85,7 +85,7 @@ impl Structure {
             let opaque = scene.objects.iter().enumerate().filter(|(i, _)| regions.bit(*i).is_none());
             opaque.map(|(_, object)| object).filter(|object| object.travel.is_none())
         };
-        let count = |solid: &Solid| listed().filter(|object| object.solid() == solid).count();
+        let count = |solid: &Primitive| listed().filter(|object| object.solid() == solid).count();
         let shapes = listed().filter(|object| object.shape.mesh().is_none()).count();
         let meshes = scene.objects.iter().filter(|object| object.shape.mesh().is_some());
         let (search, least) = match scene.rays.accelerate {
@@ -95,7 +95,7 @@ impl Structure {
             Accelerate::None => (Search::List, LONG + 1),
         };
         let solids = solids(listed().chain(meshes));
-        let is_held = |solid: &&Solid| solid.lists.is_none() || count(solid) >= least;
+        let is_held = |solid: &&Primitive| solid.lists.is_none() || count(solid) >= least;
         let solids: Vec<_> = solids.into_iter().filter(is_held).collect();
         let in_lists = listed().filter(|object| !solids.contains(&object.solid())).count() + regions.regions.len();
         Self {
@@ -132,7 +132,7 @@ impl Structure {
 
     /// Returns `true` if opaque objects of this solid are in it.
     #[must_use]
-    pub fn holds(&self, solid: &Solid) -> bool {
+    pub fn holds(&self, solid: &Primitive) -> bool {
         self.solids.contains(&solid)
     }
 }
@@ -146,7 +146,7 @@ fn copies(scene: &Scene) -> usize {
 }
 
 /// Returns the solids of some objects, sorted by name.
-pub(super) fn solids<'a>(objects: impl Iterator<Item = &'a Object>) -> Vec<&'static Solid> {
+pub(super) fn solids<'a>(objects: impl Iterator<Item = &'a Object>) -> Vec<&'static Primitive> {
     let mut solids: Vec<_> = objects.map(Object::solid).collect();
     solids.sort_unstable_by_key(|solid| solid.name);
     solids.dedup();

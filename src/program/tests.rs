@@ -128,7 +128,7 @@ fn choices() -> Vec<Choice> {
     let purposes = purposes.map(|purpose| Choice { purpose, schedule: Schedule::Fused, ..plain() });
     let others = [
         Choice { layers: Layer::ALL.to_vec(), ..plain() },
-        Choice { schedule: Schedule::Fused, masks: Masks::Off, ..plain() },
+        Choice { schedule: Schedule::Fused, masks: RaySkipping::Off, ..plain() },
     ];
     schedules.into_iter().chain(purposes).chain(others).collect()
 }

@@ -6,10 +6,10 @@ use naga::Module;
 use naga::valid::{Capabilities, ValidationFlags, Validator};
 
 use super::ProgramError;
-use super::linked::Linked;
+use super::linked::LinkedProgram;
 
 /// Parses the program with naga and validates it completely.
-pub fn validated(linked: &Linked) -> Result<Module, ProgramError> {
+pub fn validated(linked: &LinkedProgram) -> Result<Module, ProgramError> {
     let at = |spans: &mut dyn Iterator<Item = naga::Span>, message: String| {
         // The shortest span that naga reports is the error; longer spans are its context.
         let spans = spans.filter_map(naga::Span::to_range);

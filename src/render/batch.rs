@@ -6,7 +6,7 @@
 //! list of each round have a section in a buffer, which is cleared once for a batch of many rounds.
 
 use super::step::{PixelList, Step};
-use crate::gpu::{List, Listed, SECTION, Selection};
+use crate::gpu::{List, PixelListKind, SECTION, Selection};
 
 /// The rounds of a sample whose lists have separate sections, so that these are cleared once for all of them.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
@@ -50,14 +50,15 @@ impl Batch {
     pub(super) fn place(&self, list: PixelList, round: u32) -> ListSection {
         let round = u64::from(round);
         match list {
-            PixelList::Active(n) => {
-                ListSection { list: List::nth(Listed::Active, n), section: round % self.rounds * self.active + n }
-            }
+            PixelList::Active(n) => ListSection {
+                list: List::nth(PixelListKind::Active, n),
+                section: round % self.rounds * self.active + n,
+            },
             PixelList::Open(n) => {
-                let list = List::nth(Listed::Open, round + n);
+                let list = List::nth(PixelListKind::Open, round + n);
                 ListSection { list, section: (round + n + self.open() - 1) % self.open() }
             }
-            PixelList::Wanted(n) => ListSection { list: List::nth(Listed::Wanted, n), section: 0 },
+            PixelList::Wanted(n) => ListSection { list: List::nth(PixelListKind::Wanted, n), section: 0 },
         }
     }
 
@@ -90,8 +91,10 @@ mod tests {
             assert_ne!(read.list, batch.place(last.written, round).list, "what is read is not written");
             // Half of the sections are cleared before a batch; the list that is read must not be among them.
             assert_ne!(round % 3 == 0, read.section / 3 == u64::from(round) / 3 % 2);
-            let active =
-                ListSection { list: List { of: Listed::Active, side: 1 }, section: u64::from(round) % 3 * 5 + 1 };
+            let active = ListSection {
+                list: List { of: PixelListKind::Active, side: 1 },
+                section: u64::from(round) % 3 * 5 + 1,
+            };
             assert_eq!(batch.place(advance.written, round), active);
         }
     }

@@ -5,25 +5,25 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use super::Totals;
-use crate::gpu::LightField;
+use crate::gpu::LightGridData;
 
 /// The grids in the order of the scene's lights that have one, or of the beams that guide its paths.
 #[derive(Debug, Clone, Default)]
 pub(super) struct LightGrids {
-    pub fields: Arc<[LightField]>,
+    pub fields: Arc<[LightGridData]>,
     pub reports: Vec<LightReport>,
 }
 
 /// The source of the light in a grid.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Gridded {
+pub enum GridSource {
     /// A light, by its index in the scene file.
     Light(usize),
     /// An emitter that guides paths, by its object, and the mirror or transparent object that it shines on (`None` for all directions).
     Beam(usize, Option<usize>),
 }
 
-impl fmt::Display for Gridded {
+impl fmt::Display for GridSource {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Light(light) => write!(f, "lights[{light}]"),
@@ -37,7 +37,7 @@ impl fmt::Display for Gridded {
 #[derive(Debug, Clone, PartialEq)]
 pub struct LightReport {
     /// The source of its light.
-    pub of: Gridded,
+    pub of: GridSource,
     /// The number of voxels along each axis.
     pub count: [u32; 3],
     /// The number of voxels that were refined, and the number that were to be.
@@ -54,7 +54,7 @@ impl LightReport {
     /// Returns the number of paths whose light is missing; 0 for path guiding, which does not affect the result.
     #[must_use]
     pub fn unfollowed(&self) -> u64 {
-        if matches!(self.of, Gridded::Light(_)) { self.totals.unfollowed() } else { 0 }
+        if matches!(self.of, GridSource::Light(_)) { self.totals.unfollowed() } else { 0 }
     }
 }
 

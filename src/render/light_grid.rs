@@ -16,14 +16,14 @@ use glam::Vec4;
 use rayon::prelude::*;
 
 use super::clock::Clock;
-use super::grids::{Gridded, LightGrids, LightReport};
+use super::grids::{GridSource, LightGrids, LightReport};
 use super::prepared::Prepared;
 use super::ray_tiles::{BATCH, ray_tile};
 use super::readback::read_buffer;
 use super::tile::TileEnd;
 use super::{RenderError, RenderSettings, Totals};
-use crate::gpu::{Aim, Emission, Gpu, LightField, LightVolume, Tile, light_bytes, pack};
-use crate::program::{Choice, Masks, Purpose, Role, Schedule, constant};
+use crate::gpu::{Aim, Emission, Gpu, LightGridData, LightVolume, Tile, light_bytes, pack};
+use crate::program::{Choice, Purpose, RaySkipping, Role, Schedule, constant};
 use crate::progress::Stage;
 use crate::scene::{LightGrid, Scene, Shadows};
 
@@ -54,11 +54,11 @@ pub fn light_grids(
     gpu: &Gpu,
     scene: &Scene,
     settings: &RenderSettings,
-) -> Result<Vec<(LightField, LightReport)>, RenderError> {
+) -> Result<Vec<(LightGridData, LightReport)>, RenderError> {
     let lights = scene.lights.iter().enumerate().filter(|(_, light)| light.shadows == Shadows::Grid);
     let wanted: Vec<_> = lights
         .map(|(i, light)| Wanted {
-            of: Gridded::Light(i),
+            of: GridSource::Light(i),
             emission: Emission::new(scene, light),
             grid: light.grid,
             narrows: true,
@@ -68,14 +68,18 @@ pub fn light_grids(
 }
 
 /// Creates the grids of the light that guides a scene's paths.
-fn guide(gpu: &Gpu, scene: &Scene, settings: &RenderSettings) -> Result<Vec<(LightField, LightReport)>, RenderError> {
+fn guide(
+    gpu: &Gpu,
+    scene: &Scene,
+    settings: &RenderSettings,
+) -> Result<Vec<(LightGridData, LightReport)>, RenderError> {
     let beams = scene.beams();
     let bends = beams.iter().any(|beam| beam.through.is_none());
     let purpose = if bends { Purpose::Light } else { Purpose::Caustics };
     let wanted: Vec<_> = beams
         .iter()
         .map(|beam| Wanted {
-            of: Gridded::Beam(beam.lamp.object, beam.through),
+            of: GridSource::Beam(beam.lamp.object, beam.through),
             emission: Emission::of_lamp(scene, beam),
             grid: scene.guide_grid(),
             narrows: bends,
@@ -86,7 +90,7 @@ fn guide(gpu: &Gpu, scene: &Scene, settings: &RenderSettings) -> Result<Vec<(Lig
 
 /// A grid to create.
 struct Wanted {
-    of: Gridded,
+    of: GridSource,
     emission: Emission,
     grid: LightGrid,
     /// `true` if pilot paths first find the directions that lead from the light to the region of interest.
@@ -95,7 +99,7 @@ struct Wanted {
 
 impl Wanted {
     fn guides(&self) -> bool {
-        matches!(self.of, Gridded::Beam(..))
+        matches!(self.of, GridSource::Beam(..))
     }
 }
 
@@ -105,7 +109,7 @@ fn fields(
     mut followed: Scene,
     settings: &RenderSettings,
     (purpose, wanted): (Purpose, &[Wanted]),
-) -> Result<Vec<(LightField, LightReport)>, RenderError> {
+) -> Result<Vec<(LightGridData, LightReport)>, RenderError> {
     if wanted.is_empty() {
         return Ok(Vec::new());
     }
@@ -116,7 +120,7 @@ fn fields(
         let voxels = volumes.iter().map(LightVolume::voxels).sum();
         return Err(RenderError::LightGrid { voxels, needed: all, allowed: settings.memory });
     }
-    let choice = Choice { purpose, schedule: Schedule::Fused, masks: Masks::List, ..Choice::default() };
+    let choice = Choice { purpose, schedule: Schedule::Fused, masks: RaySkipping::List, ..Choice::default() };
     // A leap does not record the voxels that it passes.
     if std::mem::take(&mut followed.rays.leaps) && !guides {
         followed.rays.max_segments = followed.rays.max_segments.max(ARCS);
@@ -154,7 +158,7 @@ impl Maker<'_> {
         wanted: &Wanted,
         volume: LightVolume,
         room: u64,
-    ) -> Result<(LightField, LightReport), RenderError> {
+    ) -> Result<(LightGridData, LightReport), RenderError> {
         let (started, mut totals, mut clock) =
             (Instant::now(), Totals::default(), Clock::new(self.prepared.gpu, false));
         let guides = wanted.guides();
@@ -174,7 +178,7 @@ impl Maker<'_> {
         }
         let flux = emission.flux() * aim.share();
         let sums = shine(&aim, 1, &bricks, volume.voxels())?.sums;
-        let mut made = LightField::new(volume, refine, &LightField::values(&sums, flux, volume.h, unit));
+        let mut made = LightGridData::new(volume, refine, &LightGridData::values(&sums, flux, volume.h, unit));
         let parts = refine.pow(3) as usize;
         let mut cut = if refine > 1 { made.worth_cutting(flux / f64::from(FOR_PARTS)) } else { Vec::new() };
         let worth = cut.len();
@@ -191,7 +195,7 @@ impl Maker<'_> {
             }
             let sums = shine(&aim, refine, &bricks, count)?.sums;
             let flux = emission.flux() * aim.share();
-            made.cut(bricks, &LightField::values(&sums, flux, volume.h / f64::from(refine), unit));
+            made.cut(bricks, &LightGridData::values(&sums, flux, volume.h / f64::from(refine), unit));
         }
         if guides {
             let part = made.volume.h / f64::from(refine);
@@ -200,7 +204,7 @@ impl Maker<'_> {
             made = made.guiding(voxel as f32, part as f32);
         }
         self.prepared.finish_totals(&mut totals, &clock, started)?;
-        if let (Gridded::Light(light), true) = (of, totals.lost > 0) {
+        if let (GridSource::Light(light), true) = (of, totals.lost > 0) {
             return Err(RenderError::LightLost { light });
         }
         let (count, bytes, wall) = (volume.count, made.bytes(), started.elapsed());

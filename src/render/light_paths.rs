@@ -13,7 +13,7 @@ use super::records::{Records, Row};
 use super::{RenderError, RenderSettings, Totals};
 use crate::gpu::{Gpu, GpuError};
 use crate::model::Control;
-use crate::program::{Choice, Masks, Purpose, Role, Schedule, all_shots, constant};
+use crate::program::{Choice, Purpose, RaySkipping, Role, Schedule, all_shots, constant};
 use crate::scene::Scene;
 
 /// A path from a light to a position.
@@ -67,7 +67,7 @@ impl<'a> LightTracer<'a> {
     /// Creates a tracer: links and compiles the program, and uploads the scene.
     pub fn new(gpu: &'a Gpu, scene: Scene, settings: &RenderSettings) -> Result<Self, RenderError> {
         let choice =
-            Choice { purpose: Purpose::Lit, schedule: Schedule::Fused, masks: Masks::Off, ..Choice::default() };
+            Choice { purpose: Purpose::Lit, schedule: Schedule::Fused, masks: RaySkipping::Off, ..Choice::default() };
         let settings = RenderSettings { choice, ..settings.clone() };
         Ok(Self { prepared: Prepared::new(gpu, Cow::Owned(scene), settings, LightGrids::default())? })
     }

@@ -49,7 +49,7 @@ mod window;
 
 pub use band::{Band, Plane, Rendering};
 pub use error::RenderError;
-pub use grids::{Gridded, LightReport};
+pub use grids::{GridSource, LightReport};
 pub use light_grid::light_grids;
 pub use light_paths::{LightPath, LightTracer, light_paths};
 pub use noise::Noise;
@@ -62,5 +62,5 @@ pub use step::{Dispatch, PixelList, Step};
 pub use totals::{Adaptive, Clamped, Status, Totals};
 pub use trace::{Starts, Tracer, trace, trace_pixels};
 pub use traced::{PathPoint, Traced};
-pub use watch::{Earlier, Preview, Watch};
+pub use watch::{EarlierSamples, Preview, Watch};
 pub use window::Window;

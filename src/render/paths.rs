@@ -8,7 +8,7 @@ use super::step::Step;
 use super::trace::Tracer;
 use super::{PathPoint, RenderError, RenderSettings, Status, Traced};
 use crate::gpu::Gpu;
-use crate::program::{Analysis, Choice, Masks, Pass, Purpose, Schedule};
+use crate::program::{Analysis, Choice, Pass, Purpose, RaySkipping, Schedule};
 use crate::scene::{Precision, Scene};
 
 /// The number of records of one batch of paths, over all segments.
@@ -24,7 +24,7 @@ pub fn trace_paths(
     settings: &RenderSettings,
     rays: &[[f64; 6]],
 ) -> Result<Vec<Path>, RenderError> {
-    let choice = Choice { schedule: Schedule::Segment, masks: Masks::List, ..Choice::default() };
+    let choice = Choice { schedule: Schedule::Segment, masks: RaySkipping::List, ..Choice::default() };
     let leaping = Analysis::of(scene).regions.kinds.iter().any(|kind| kind.leaps);
     let mut scene = scene.clone();
     if std::mem::take(&mut scene.rays.leaps) && leaping {
@@ -55,7 +55,7 @@ pub fn pixel_starts(
     settings: &RenderSettings,
     pixels: &[[u32; 2]],
 ) -> Result<Vec<[f64; 6]>, RenderError> {
-    let choice = Choice { schedule: Schedule::Segment, masks: Masks::Off, ..Choice::default() };
+    let choice = Choice { schedule: Schedule::Segment, masks: RaySkipping::Off, ..Choice::default() };
     let mut scene = scene.clone();
     scene.image.samples = 1;
     let Tracer { prepared } = Tracer::new(gpu, &scene, RenderSettings { choice, ..settings.clone() }, Purpose::Pixels)?;

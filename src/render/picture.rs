@@ -6,7 +6,7 @@ use super::band::{Band, Bands, Rendering};
 use super::clock::Clock;
 use super::sample::Sample;
 use super::tile::TileEnd;
-use super::watch::{Earlier, Preview, Round, Watch};
+use super::watch::{EarlierSamples, Preview, Round, Watch};
 use super::{Adaptive, Clamped, Noise, RenderError, Renderer, Totals, Window};
 use crate::gpu::Tile;
 use crate::progress::Stage;
@@ -48,9 +48,9 @@ impl Renderer<'_> {
         watch: &Watch,
         clock: &mut Clock,
         totals: &mut Totals,
-    ) -> Result<Option<Earlier>, RenderError> {
+    ) -> Result<Option<EarlierSamples>, RenderError> {
         let first = watch.earlier.map_or(0, |earlier| earlier.samples);
-        let mut own: Option<Earlier> = None;
+        let mut own: Option<EarlierSamples> = None;
         let mut samples = 1;
         loop {
             let before = own.as_ref().or(watch.earlier);
@@ -65,7 +65,7 @@ impl Renderer<'_> {
             self.render_round(&mut all.sink(), clock, &round, totals)?;
             let band = all.whole.unwrap_or_else(|| self.band(0, 0));
             preview.look(&band, until)?;
-            own = Some(Earlier { samples: until, band });
+            own = Some(EarlierSamples { samples: until, band });
             let each = begun.elapsed().as_secs_f64() / f64::from(samples);
             samples = ((preview.every().as_secs_f64() / each) as u32).clamp(1, 2 * samples);
         }

@@ -8,7 +8,7 @@ use super::grids::LightGrids;
 use super::plan::Plan;
 use super::schedule::{PassCounts, fused_segments, steps};
 use super::{RenderError, RenderSettings, Window};
-use crate::gpu::{Before, Geometry, Gpu, GpuError, Pipelines, SceneBuffers, pack, schedule_values};
+use crate::gpu::{Geometry, Gpu, GpuError, Pipelines, PreviousGeometry, SceneBuffers, pack, schedule_values};
 use crate::model::{Control, Value};
 use crate::program::{BindingKind, Choice, Features, Layout, Program, Purpose, Regions, Role, Schedule};
 use crate::scene::Scene;
@@ -30,7 +30,7 @@ pub(super) struct Prepared<'a> {
     /// The grids of the scene's lights.
     pub grids: LightGrids,
     /// The geometry that the next frame reuses.
-    pub before: Before,
+    pub before: PreviousGeometry,
     pub max_segments: u32,
     pub passes: PassCounts,
     /// The steps of each round of a sample.
@@ -65,7 +65,7 @@ impl<'a> Prepared<'a> {
         if let Some(window) = settings.window.filter(|window| !window.fits(scene.image.size)) {
             return Err(RenderError::Window { window, picture: scene.image.size });
         }
-        let geometry = placed(gpu, Before::default(), &scene);
+        let geometry = placed(gpu, PreviousGeometry::default(), &scene);
         let stage = gpu.progress.stage("generating the shaders");
         let program = Program::new(&scene, &geometry.analysis, &settings.choice, geometry.extent())?;
         drop(stage);
@@ -215,7 +215,7 @@ fn planned(scene: &Scene, features: &Features, passes: PassCounts, max_segments:
 }
 
 /// Places the scene's objects and builds the acceleration structure.
-fn placed(gpu: &Gpu, before: Before, scene: &Scene) -> Geometry {
+fn placed(gpu: &Gpu, before: PreviousGeometry, scene: &Scene) -> Geometry {
     let _stage = gpu.progress.stage("building the acceleration structure");
     Geometry::after(before, scene)
 }

@@ -15,7 +15,7 @@ use super::clock::{Clock, Stage};
 use super::prepared::Prepared;
 use super::sample::Sample;
 use super::step::{Dispatch, Step};
-use crate::gpu::{GpuError, List, Listed, SECTION, SceneBuffers, Selection, Tile};
+use crate::gpu::{GpuError, List, PixelListKind, SECTION, SceneBuffers, Selection, Tile};
 use crate::program::{Access, Pass, Role};
 
 /// The approximate number of ray steps of one submission: a few tenths of a second on a slow device, well below any driver's timeout.
@@ -190,7 +190,9 @@ impl<'r, 'a> Runner<'r, 'a> {
     /// shading lists it. Pixels that the previous batch left open are kept.
     fn clear_lists(&self, encoder: &mut CommandEncoder, batch: u64) {
         let half = self.prepared.plan.batch.rounds * SECTION;
-        for (of, offset, size) in [(Listed::Active, 0, None), (Listed::Open, batch % 2 * half, Some(half))] {
+        for (of, offset, size) in
+            [(PixelListKind::Active, 0, None), (PixelListKind::Open, batch % 2 * half, Some(half))]
+        {
             for list in List::both(of) {
                 if let Some(buffer) = self.tile.arguments(list) {
                     encoder.clear_buffer(buffer, offset, size);
@@ -215,7 +217,7 @@ impl<'r, 'a> Runner<'r, 'a> {
     fn dispatch(&self, pass: &mut ComputePass, step: &Step, round: u32) {
         let indirect = match step.dispatch {
             Dispatch::Grid => false,
-            Dispatch::Listed => true,
+            Dispatch::PixelListKind => true,
             Dispatch::ListedLater => round > 0,
         };
         let read = self.prepared.plan.batch.place(step.read, round);

@@ -3,7 +3,7 @@
 use super::RenderSettings;
 use super::step::{Dispatch, PixelList, Step};
 use crate::gpu::Slots;
-use crate::program::{DeviceProfile, Features, Masks, Pass, Purpose, Schedule, constant};
+use crate::program::{DeviceProfile, Features, Pass, Purpose, RaySkipping, Schedule, constant};
 use crate::scene::{Scene, Segment};
 
 /// The numbers of recorded passes, if a device's loop budget may end a pass before its work is done. Passes without work cost next to
@@ -105,7 +105,7 @@ impl Recorder<'_> {
         let first = !once && iteration == 0 && pass != Pass::Scatter;
         let dispatch = match once || first {
             true if self.features.lists_open() => Dispatch::ListedLater,
-            false if self.features.masks != Masks::Off => Dispatch::Listed,
+            false if self.features.masks != RaySkipping::Off => Dispatch::PixelListKind,
             _ => Dispatch::Grid,
         };
         let listed_later = dispatch == Dispatch::ListedLater;
@@ -180,7 +180,7 @@ pub(super) mod tests {
 
     pub(in crate::render) fn recorded(schedule: Schedule, segment: &str, image: &str) -> Vec<Step> {
         let scene = scene(segment, image);
-        let choice = Choice { schedule, masks: Masks::List, ..Choice::default() };
+        let choice = Choice { schedule, masks: RaySkipping::List, ..Choice::default() };
         let passes = PassCounts::usual();
         steps(&scene, &Features::of(&scene, &choice, &Analysis::of(&scene)), passes, scene.rays.max_segments, 4)
     }
@@ -213,7 +213,11 @@ pub(super) mod tests {
                 for step in recorded(schedule, "", image) {
                     let once = matches!(step.pass, Pass::Setup | Pass::Shade);
                     assert_eq!(step.first, !once && step.iteration == 0, "{schedule:?}: {step:?}");
-                    assert_eq!(step.dispatch, if once || step.first { dispatch } else { Dispatch::Listed }, "{step:?}");
+                    assert_eq!(
+                        step.dispatch,
+                        if once || step.first { dispatch } else { Dispatch::PixelListKind },
+                        "{step:?}"
+                    );
                 }
             }
         }

@@ -9,7 +9,7 @@ use std::fmt;
 
 use super::sample::Refines;
 use crate::gpu::Slots;
-use crate::program::{Masks, Pass};
+use crate::program::{Pass, RaySkipping};
 
 /// The pixels that a pass processes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -17,7 +17,7 @@ pub enum Dispatch {
     /// Every pixel of the tile.
     Grid,
     /// The pixels of the list that the step reads, by indirect dispatch.
-    Listed,
+    PixelListKind,
     /// Every pixel in the first round of a sample, and the pixels of the list in later rounds.
     ListedLater,
 }
@@ -72,7 +72,7 @@ impl fmt::Display for Step {
         let Slots { input, output, .. } = self.slots;
         let over = match self.dispatch {
             Dispatch::Grid => "all pixels".to_owned(),
-            Dispatch::Listed => format!("list {}", self.read),
+            Dispatch::PixelListKind => format!("list {}", self.read),
             Dispatch::ListedLater => format!("all pixels, in later rounds list {}", self.read),
         };
         let again = if self.again { ", continues suspended traversals" } else { "" };
@@ -87,8 +87,9 @@ impl fmt::Display for Step {
 
 impl Step {
     /// Returns the step that follows a sample of an adaptive image.
-    pub(super) fn refining(refines: Refines, masks: Masks) -> Self {
-        let dispatch = if refines.listed && masks != Masks::Off { Dispatch::Listed } else { Dispatch::Grid };
+    pub(super) fn refining(refines: Refines, masks: RaySkipping) -> Self {
+        let dispatch =
+            if refines.listed && masks != RaySkipping::Off { Dispatch::PixelListKind } else { Dispatch::Grid };
         let (read, written) = (PixelList::Wanted(refines.list), PixelList::Wanted(refines.list + 1));
         let slots = Slots::only(0);
         Self { pass: Pass::Refine, slots, read, written, dispatch, iteration: 0, again: false, first: false, weight: 1 }
@@ -98,7 +99,7 @@ impl Step {
     pub(super) fn in_round(mut self, round: u32, refines: Option<Refines>) -> Self {
         if let (0, Dispatch::ListedLater, Some(Refines { listed, list })) = (round, self.dispatch, refines) {
             self.read = PixelList::Wanted(list);
-            self.dispatch = if listed { Dispatch::Listed } else { Dispatch::Grid };
+            self.dispatch = if listed { Dispatch::PixelListKind } else { Dispatch::Grid };
         }
         self
     }

@@ -13,7 +13,7 @@ use crate::progress::Stage;
 #[derive(Clone, Copy, Default)]
 pub struct Watch<'w> {
     /// Samples that need not be taken again.
-    pub earlier: Option<&'w Earlier>,
+    pub earlier: Option<&'w EarlierSamples>,
     /// The preview of the unfinished image; not available for adaptive images, whose pixels do not take their samples together.
     pub preview: Option<&'w dyn Preview>,
 }
@@ -35,7 +35,7 @@ impl std::fmt::Debug for Watch<'_> {
 /// A number of samples of every pixel of the window, which all tiles complete before the next round.
 pub(super) struct Round<'r> {
     /// The samples taken before this round.
-    pub earlier: Option<&'r Earlier>,
+    pub earlier: Option<&'r EarlierSamples>,
     /// The number of samples after this round.
     pub until: u32,
     /// `true` if the image is complete after this round.
@@ -45,7 +45,7 @@ pub(super) struct Round<'r> {
 }
 
 impl<'r> Round<'r> {
-    pub fn new(earlier: Option<&'r Earlier>, until: u32, is_last: bool) -> Self {
+    pub fn new(earlier: Option<&'r EarlierSamples>, until: u32, is_last: bool) -> Self {
         Self { earlier, until, is_last, told: None }
     }
 
@@ -79,7 +79,7 @@ impl<'r> Round<'r> {
 /// The ray of a sample does not depend on the number of samples, and sums are stored exactly. The continued image is therefore
 /// bit-identical to the image of a single longer render.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Earlier {
+pub struct EarlierSamples {
     /// The number of samples of each pixel.
     pub samples: u32,
     /// All rows of the window, with the layers [`Layer::Accumulated`] and [`Layer::LuminanceM2`].
@@ -93,7 +93,7 @@ fn sum_of(mean: f32, samples: f32) -> f32 {
     if (sum - count).abs() <= f32::EPSILON * count { count } else { sum }
 }
 
-impl Earlier {
+impl EarlierSamples {
     /// Writes the sums of a part of the window into a tile of that size, and keeps the other values of its pixels.
     pub(super) fn put(&self, gpu: &Gpu, program: &Program, tile: &Tile, part: Window) -> Result<(), GpuError> {
         let band = &self.band;

@@ -33,12 +33,12 @@ pub use crate::assets::{
     Curve, FanRay, Files, Formula, FormulaError, Function, Gltf, Graph, Id, IndexGrid, Interval, LineElement, Mesh,
     Node, Picture, Profile, ProfilePoint, Transform, Variable, Vertex,
 };
-pub use crate::document::{KeyReference, Mistake, Override, SceneError};
+pub use crate::document::{Diagnostic, KeyReference, Override, SceneError};
 pub use crate::model::cut::{CORNERS, CutPlane, Outline};
-pub use crate::model::filter::{Density, Look, Texture};
+pub use crate::model::filter::{Density, NoiseColoring, Texture};
 pub use crate::model::{
-    Camera, CameraFrame, Control, Filter, Gloss, Interior, Law, Material, Medium, Method, Object, Pattern, Shape,
-    Stereo, StereoLayout, Substance, Surface, Travel,
+    Camera, Control, Filter, Gloss, Interior, Law, Material, Medium, Method, Object, Observer, Pattern, RigidMotion,
+    Shape, Stereo, StereoLayout, Substance, Surface,
 };
 pub use followed::{follow_as, followed_keys};
 pub use guide::Beam;
@@ -136,7 +136,7 @@ impl Scene {
     /// Returns `true` if light has a frequency for the observer at the camera.
     #[must_use]
     pub fn has_frequencies(&self) -> bool {
-        let knows = |camera: &Camera| camera.frame != CameraFrame::Coordinate && camera.is_at_one_place();
+        let knows = |camera: &Camera| camera.frame != Observer::Coordinate && camera.is_at_one_place();
         let is_seen = self.camera.as_ref().is_some_and(knows);
         is_seen && !self.law.facts().momentum_parts.is_empty() && self.rays.paths.is_none()
     }
@@ -152,8 +152,8 @@ impl Scene {
     }
 
     /// Returns the moving objects with their indices in the file.
-    pub fn travels(&self) -> impl Iterator<Item = (usize, &Object, &Travel)> {
-        let own = |(i, object): (usize, _)| -> Option<(usize, &Object, &Travel)> {
+    pub fn travels(&self) -> impl Iterator<Item = (usize, &Object, &RigidMotion)> {
+        let own = |(i, object): (usize, _)| -> Option<(usize, &Object, &RigidMotion)> {
             let object: &Object = object;
             Some((i, object, object.travel.as_ref()?))
         };

@@ -23,7 +23,7 @@ mod shells;
 mod synonyms;
 mod touching;
 
-use super::{Mistake, Override, Scene, SceneError};
+use super::{Diagnostic, Override, Scene, SceneError};
 use std::path::Path;
 
 /// The minimum that every scene needs.
@@ -37,22 +37,22 @@ fn good(text: &str) -> Scene {
     parse(text).unwrap_or_else(|e| panic!("{text}\n{e}"))
 }
 
-fn mistakes_of(result: Result<Scene, SceneError>) -> Vec<Mistake> {
+fn mistakes_of(result: Result<Scene, SceneError>) -> Vec<Diagnostic> {
     match result {
-        Err(SceneError::Mistakes(mistakes)) => mistakes,
+        Err(SceneError::Diagnostics(mistakes)) => mistakes,
         Err(other) => panic!("{other}"),
         Ok(_) => panic!("no mistake found"),
     }
 }
 
 /// Returns the only error of a text in which «» mark its expected location.
-fn marked(text: &str) -> Mistake {
+fn marked(text: &str) -> Diagnostic {
     let start = text.find('«').expect("a mark");
     let end = text.find('»').expect("a mark") - '«'.len_utf8();
     let text = text.replace(['«', '»'], "");
     let mistakes = mistakes_of(parse(&text));
     let [mistake] = &mistakes[..] else {
-        panic!("{text}\n{}", SceneError::Mistakes(mistakes));
+        panic!("{text}\n{}", SceneError::Diagnostics(mistakes));
     };
     let above = &text[..start];
     assert_eq!(mistake.line, above.split('\n').count(), "{mistake}");

@@ -31,7 +31,9 @@ fn pictures_say_their_noise() {
         .succeeds()
         .says(&["; 0 samples clamped, removing 0.00 %"]);
     folder.write("scene.toml", ROOM.replace("lighting = \"path-tracing\"\n", ""));
-    folder.run("render scene.toml -o out.exr --layers standard_error").fails(1, &["the layer `standard_error` requires random samples"]);
+    folder
+        .run("render scene.toml -o out.exr --layers standard_error")
+        .fails(1, &["the layer `standard_error` requires random samples"]);
 }
 
 #[test]

@@ -11,7 +11,7 @@
 
 use std::collections::HashMap;
 
-use bentray::program::{Linked, validated};
+use bentray::program::{LinkedProgram, validated};
 use naga::{AddressSpace, Block, Expression, Function, Handle, Module, Statement};
 
 /// Where a value comes from.
@@ -48,7 +48,7 @@ pub struct Branch {
 }
 
 /// Those of a program.
-pub fn fixed_branches(linked: &Linked) -> Vec<Branch> {
+pub fn fixed_branches(linked: &LinkedProgram) -> Vec<Branch> {
     let module = validated(linked).unwrap_or_else(|error| panic!("{error}"));
     let mut analysis = Analysis::of(&module);
     while analysis.pass() {}
@@ -58,7 +58,7 @@ pub fn fixed_branches(linked: &Linked) -> Vec<Branch> {
     found
 }
 
-fn branch(linked: &Linked, span: naga::Span) -> Branch {
+fn branch(linked: &LinkedProgram, span: naga::Span) -> Branch {
     let range = span.to_range().unwrap_or_default();
     Branch { file: linked.place(range.start).file, condition: without_numbers(&linked.source[range]) }
 }

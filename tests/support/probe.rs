@@ -11,7 +11,7 @@ use bentray::gpu::{Gpu, Pipeline, pack};
 use bentray::model::shape::SOLIDS;
 use bentray::model::{Row, Value};
 use bentray::program::{
-    Analysis, BindingKind, Choice, Features, Layout, Linked, Parts, Reflection, Unit, link, part, plan, reflect,
+    Analysis, BindingKind, Choice, Features, Layout, LinkedProgram, Parts, Reflection, Unit, link, part, plan, reflect,
     solid_codes,
 };
 use glam::{DVec3, Vec4};
@@ -268,7 +268,7 @@ fn buffer(gpu: &Gpu, contents: &[u8], usage: BufferUsages) -> Buffer {
     gpu.device.create_buffer_init(&BufferInitDescriptor { label: Some("probe"), contents, usage })
 }
 
-fn dispatch(gpu: &Gpu, linked: &Linked, reflection: &Reflection, buffers: &[Buffer], count: usize) {
+fn dispatch(gpu: &Gpu, linked: &LinkedProgram, reflection: &Reflection, buffers: &[Buffer], count: usize) {
     let pipeline = Pipeline::new(gpu, linked, reflection, gpu.group[0]).unwrap_or_else(|error| panic!("{error}"));
     let entries: Vec<_> = reflection
         .bindings

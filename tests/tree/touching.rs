@@ -5,7 +5,7 @@ use super::{difference, with_objects};
 use crate::exactness::unused;
 use crate::support::{gpu, scene};
 use bentray::gpu::Geometry;
-use bentray::program::{Choice, Layer, Masks, Program, Purpose, Schedule};
+use bentray::program::{Choice, Layer, Program, Purpose, RaySkipping, Schedule};
 use bentray::render::{RenderSettings, Renderer};
 use glam::DVec3;
 
@@ -116,12 +116,12 @@ fn touching_objects_do_not_depend_on_the_schedule() {
                 .replace("[128, 96]", "[40, 30]")
                 .replace("[rays]", &format!("[rays]\nmax_segments = {segments}"));
             let choice = |schedule, masks| Choice { schedule, masks, layers: Layer::ALL.to_vec(), ..Choice::default() };
-            let first = rendered(&text, choice(Schedule::Fused, Masks::List));
+            let first = rendered(&text, choice(Schedule::Fused, RaySkipping::List));
             for (schedule, masks) in [
-                (Schedule::Whole, Masks::List),
-                (Schedule::Fused, Masks::Off),
-                (Schedule::Segment, Masks::List),
-                (Schedule::Paper, Masks::Grid),
+                (Schedule::Whole, RaySkipping::List),
+                (Schedule::Fused, RaySkipping::Off),
+                (Schedule::Segment, RaySkipping::List),
+                (Schedule::Paper, RaySkipping::Grid),
             ] {
                 let other = rendered(&text, choice(schedule, masks));
                 assert!(first.band == other.band, "{name}: {schedule:?}, masks {masks:?}, {segments} segments");

@@ -3,7 +3,7 @@
 //! *Practice.* Operands come before the nodes that use them, so one pass over the list of nodes evaluates all.
 
 use super::Function;
-use super::tree::{Extreme, Name, Operator, Tree};
+use super::tree::{Extremum, Name, Operator, Tree};
 use super::variable::Variable;
 use glam::DVec3;
 use std::collections::HashMap;
@@ -207,9 +207,9 @@ impl Graph {
                     Operator::Power => self.raised(a, b),
                 }
             }
-            Tree::Extreme(extreme, a, b) => {
+            Tree::Extremum(extreme, a, b) => {
                 let (a, b) = (self.of_tree(a), self.of_tree(b));
-                let node = if *extreme == Extreme::Min { Node::Min(a, b) } else { Node::Max(a, b) };
+                let node = if *extreme == Extremum::Min { Node::Min(a, b) } else { Node::Max(a, b) };
                 self.folded(node)
             }
         }

@@ -9,7 +9,7 @@
 //! ```
 
 use super::tokens::{Token, tokens, wrong};
-use super::tree::{Extreme, Operator, Tree};
+use super::tree::{Extremum, Operator, Tree};
 use super::{FormulaError, Function, Language};
 use crate::document::values::suggest;
 use std::ops::Range;
@@ -155,7 +155,7 @@ impl<'a> Parser<'a> {
             return Ok(tree);
         }
         let function = Function::WRITTEN.iter().find(|(text, _)| *text == name).map(|(_, function)| *function);
-        let extreme = [Extreme::Min, Extreme::Max].into_iter().find(|extreme| extreme.name() == name);
+        let extreme = [Extremum::Min, Extremum::Max].into_iter().find(|extreme| extreme.name() == name);
         if function.is_none() && extreme.is_none() {
             return Err(unknown(name, place, self.language));
         }
@@ -167,7 +167,7 @@ impl<'a> Parser<'a> {
         let first = Box::new(self.sum()?);
         let tree = match (function, extreme) {
             (Some(function), _) => Tree::Call(function, first),
-            (None, Some(extreme)) if self.take(',') => Tree::Extreme(extreme, first, Box::new(self.sum()?)),
+            (None, Some(extreme)) if self.take(',') => Tree::Extremum(extreme, first, Box::new(self.sum()?)),
             _ => {
                 let help = format!("write {name}(1, x)");
                 return Err(wrong(place, format!("`{name}` requires two arguments"), help));

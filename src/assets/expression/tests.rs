@@ -3,7 +3,7 @@
 #![allow(clippy::float_cmp, reason = "constants are folded exactly")]
 
 use super::parse;
-use super::tree::{Extreme, Name, Operator, Tree};
+use super::tree::{Extremum, Name, Operator, Tree};
 use super::{Formula, FormulaError, Function, Node, PLACE, Variable};
 use glam::DVec3;
 use proptest::prelude::*;
@@ -40,14 +40,14 @@ fn value(tree: &Tree, q: DVec3) -> f64 {
         Tree::Binary(Operator::Power, a, b) => of(a).powf(of(b)),
         Tree::Call(function, a) => function.of(of(a)),
         // NaN operands give NaN.
-        Tree::Extreme(Extreme::Min, a, b) => {
+        Tree::Extremum(Extremum::Min, a, b) => {
             if of(a) < of(b) {
                 of(a)
             } else {
                 of(b) + 0.0 * of(a)
             }
         }
-        Tree::Extreme(Extreme::Max, a, b) => {
+        Tree::Extremum(Extremum::Max, a, b) => {
             if of(a) > of(b) {
                 of(a)
             } else {
@@ -211,7 +211,7 @@ fn trees() -> impl Strategy<Value = Tree> {
                 Tree::Binary(Operator::Power, Box::new(a), Box::new(k))
             }),
             1 => (any::<bool>(), inner.clone(), inner).prop_map(|(min, a, b)| {
-                Tree::Extreme(if min { Extreme::Min } else { Extreme::Max }, Box::new(a), Box::new(b))
+                Tree::Extremum(if min { Extremum::Min } else { Extremum::Max }, Box::new(a), Box::new(b))
             }),
         ]
     })

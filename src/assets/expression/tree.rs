@@ -20,7 +20,7 @@ pub enum Tree {
     /// f(a).
     Call(Function, Box<Tree>),
     /// The smaller or the larger of two.
-    Extreme(Extreme, Box<Tree>, Box<Tree>),
+    Extremum(Extremum, Box<Tree>, Box<Tree>),
 }
 
 /// A name that is not a function.
@@ -56,12 +56,12 @@ pub enum Operator {
 
 /// The function `min` or `max`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub enum Extreme {
+pub enum Extremum {
     Min,
     Max,
 }
 
-impl Extreme {
+impl Extremum {
     /// Returns the spelling.
     pub fn name(self) -> &'static str {
         match self {
@@ -85,7 +85,7 @@ impl Tree {
             Self::Binary(Operator::Times | Operator::Over, ..) => PRODUCT,
             Self::Binary(Operator::Power, ..) => POWER,
             Self::Negative(_) => MINUS,
-            Self::Number(_) | Self::Name(_) | Self::Term(..) | Self::Call(..) | Self::Extreme(..) => WHOLE,
+            Self::Number(_) | Self::Name(_) | Self::Term(..) | Self::Call(..) | Self::Extremum(..) => WHOLE,
         }
     }
 
@@ -121,7 +121,7 @@ impl fmt::Display for Tree {
                 b.part(right, f)
             }
             Self::Call(function, a) => write!(f, "{}({a})", function.name()),
-            Self::Extreme(extreme, a, b) => write!(f, "{}({a}, {b})", extreme.name()),
+            Self::Extremum(extreme, a, b) => write!(f, "{}({a}, {b})", extreme.name()),
         }
     }
 }

@@ -7,7 +7,7 @@ use gltf_json::validation::Checked::Valid;
 use gltf_json::{Accessor, Index, buffer::View};
 
 use super::Gltf;
-use crate::assets::flaw::Flaw;
+use crate::assets::flaw::FormatError;
 
 /// The elements of an accessor, all of which exist.
 pub(in crate::assets) struct Elements<'a> {
@@ -73,14 +73,14 @@ impl Gltf {
         index: Index<Accessor>,
         types: &[Type],
         of: &str,
-    ) -> Result<Elements<'_>, Flaw> {
+    ) -> Result<Elements<'_>, FormatError> {
         let accessor = self.get(index, "accessors", of)?;
         let name = format!("accessors[{}]", index.value());
         let (Valid(component), Valid(of_type)) = (&accessor.component_type, &accessor.type_) else {
-            return Err(Flaw(format!("{name} has an invalid `type` or `componentType`")));
+            return Err(FormatError(format!("{name} has an invalid `type` or `componentType`")));
         };
         if !types.contains(of_type) {
-            return Err(Flaw(format!("{name} is of type {of_type:?}, and {of} requires {:?}", types[0])));
+            return Err(FormatError(format!("{name} is of type {of_type:?}, and {of} requires {:?}", types[0])));
         }
         let size = component.0.size() * of_type.multiplicity();
         let mut elements = Elements {
@@ -100,7 +100,7 @@ impl Gltf {
             // All elements except those of `sparse` are 0: their number must not exceed the bytes in the file.
             None if elements.count > self.bytes.len() => {
                 let (count, has) = (elements.count, self.bytes.len());
-                return Err(Flaw(format!(
+                return Err(FormatError(format!(
                     "{name} has {count} elements and no buffer view, and the file has {has} bytes"
                 )));
             }
@@ -111,7 +111,14 @@ impl Gltf {
     }
 
     /// Returns the stride, and the bytes from the first element on, of `count` elements of `size` bytes in a view.
-    fn run(&self, view: Index<View>, start: u64, count: u64, size: usize, of: &str) -> Result<(usize, &[u8]), Flaw> {
+    fn run(
+        &self,
+        view: Index<View>,
+        start: u64,
+        count: u64,
+        size: usize,
+        of: &str,
+    ) -> Result<(usize, &[u8]), FormatError> {
         let (described, bytes) = self.view(view, of)?;
         let stride = described.byte_stride.map_or(size, |stride| stride.0).max(size);
         let length =
@@ -119,7 +126,7 @@ impl Gltf {
         let end = length.and_then(|length| start.checked_add(length)).filter(|end| *end <= bytes.len() as u64);
         match end {
             Some(end) => Ok((stride, &bytes[start as usize..end as usize])),
-            None => Err(Flaw(format!(
+            None => Err(FormatError(format!(
                 "{of} requires {count} elements of {size} bytes, {stride} apart, from byte {start}, and \
                  bufferViews[{}] has {} bytes",
                 view.value(),
@@ -129,10 +136,10 @@ impl Gltf {
     }
 
     /// Writes the elements of `sparse` to their positions.
-    fn replace(&self, accessor: &Accessor, elements: &mut Elements, size: usize, of: &str) -> Result<(), Flaw> {
+    fn replace(&self, accessor: &Accessor, elements: &mut Elements, size: usize, of: &str) -> Result<(), FormatError> {
         let Some(sparse) = &accessor.sparse else { return Ok(()) };
         let Valid(kind) = &sparse.indices.component_type else {
-            return Err(Flaw(format!("{of}.sparse.indices has an invalid `componentType`")));
+            return Err(FormatError(format!("{of}.sparse.indices has an invalid `componentType`")));
         };
         let (count, of) = (sparse.count.0, format!("{of}.sparse"));
         let (start, width) = (sparse.indices.byte_offset.0, kind.0.size());
@@ -145,7 +152,7 @@ impl Gltf {
         for i in 0..indices.count {
             let place = indices.index(i) as usize;
             if place >= elements.count {
-                return Err(Flaw(format!("{of} replaces element {place}, and there are {}", elements.count)));
+                return Err(FormatError(format!("{of} replaces element {place}, and there are {}", elements.count)));
             }
             bytes[place * stride..place * stride + size].copy_from_slice(&values[i * from..i * from + size]);
         }

@@ -10,8 +10,8 @@ use gltf_json::{Buffer, Index, Root, buffer::View};
 
 use super::Gltf;
 use super::nodes::Maps;
-use crate::assets::flaw::{Flaw, are_padding};
-use crate::document::{Mistake, SceneError, unmarked};
+use crate::assets::flaw::{FormatError, are_padding};
+use crate::document::{Diagnostic, SceneError, unmarked};
 
 /// The extensions that a file may require, because they are supported or do not affect meshes.
 const KNOWN: [&str; 7] = [
@@ -37,36 +37,44 @@ impl Gltf {
         let start = json.start;
         let unreadable = |error: serde_json::Error| {
             if is_binary {
-                return Flaw::at(start, &format!("not valid glTF JSON: {error}")).of(path);
+                return FormatError::at(start, &format!("not valid glTF JSON: {error}")).of(path);
             }
             if bytes[start..].iter().find(|byte| !byte.is_ascii_whitespace()) != Some(&b'{') {
-                return Flaw("not a glTF file: it begins neither with `glTF` nor with `{`".to_owned()).of(path);
+                return FormatError("not a glTF file: it begins neither with `glTF` nor with `{`".to_owned()).of(path);
             }
             let text = String::from_utf8_lossy(&bytes[start..]);
             let line = text.split_inclusive('\n').take(error.line().saturating_sub(1)).map(str::len).sum::<usize>();
             let at = line + error.column().saturating_sub(1);
             let said = error.to_string();
             let problem = format!("not valid glTF: {}", said.split(" at line ").next().unwrap_or(&said));
-            SceneError::Mistakes(vec![Mistake::locate(path.to_owned(), &text, at, at + 1, problem, String::new())])
+            SceneError::Diagnostics(vec![Diagnostic::locate(
+                path.to_owned(),
+                &text,
+                at,
+                at + 1,
+                problem,
+                String::new(),
+            )])
         };
         let root: Root = serde_json::from_slice(&bytes[json.clone()]).map_err(unreadable)?;
         let Maps { nodes: maps } = serde_json::from_slice(&bytes[json]).map_err(unreadable)?;
         let version = &root.asset.version;
         if !version.starts_with("2.") {
-            return Err(Flaw(format!("glTF {version} is not supported; use glTF 2.0")).of(path));
+            return Err(FormatError(format!("glTF {version} is not supported; use glTF 2.0")).of(path));
         }
         let unknown = |name: &&String| !KNOWN.iter().any(|known| name.starts_with(known));
         if let Some(name) = root.extensions_required.iter().find(unknown) {
-            return Err(
-                Flaw(format!("the required extension `{name}` is not supported; export the file without it")).of(path)
-            );
+            return Err(FormatError(format!(
+                "the required extension `{name}` is not supported; export the file without it"
+            ))
+            .of(path));
         }
         let buffers = root.buffers.iter().map(|_| OnceLock::new()).collect();
         Ok(Self { root, maps, path: path.to_owned(), bytes, own, buffers, with_mesh: OnceLock::new() })
     }
 
     /// Returns the bytes of a view.
-    pub(super) fn view(&self, index: Index<View>, of: &str) -> Result<(&View, &[u8]), Flaw> {
+    pub(super) fn view(&self, index: Index<View>, of: &str) -> Result<(&View, &[u8]), FormatError> {
         let view = self.get(index, "bufferViews", of)?;
         let name = format!("bufferViews[{}]", index.value());
         let buffer = self.buffer(view.buffer, &name)?;
@@ -75,12 +83,12 @@ impl Gltf {
         let range = end.and_then(|end| Some(usize::try_from(start).ok()?..usize::try_from(end).ok()?));
         let bytes = range.and_then(|range| buffer.get(range)).ok_or_else(|| {
             let (length, has) = (view.byte_length.0, buffer.len());
-            Flaw(format!("{name} has {length} bytes from byte {start}, and the buffer has {has}"))
+            FormatError(format!("{name} has {length} bytes from byte {start}, and the buffer has {has}"))
         })?;
         Ok((view, bytes))
     }
 
-    fn buffer(&self, index: Index<Buffer>, of: &str) -> Result<&[u8], Flaw> {
+    fn buffer(&self, index: Index<Buffer>, of: &str) -> Result<&[u8], FormatError> {
         let buffer = self.get(index, "buffers", of)?;
         let name = format!("buffers[{}]", index.value());
         let bytes = match (&buffer.uri, &self.own) {
@@ -89,31 +97,32 @@ impl Gltf {
                 Err(flaw) => return Err(flaw.clone()),
             },
             (None, Some(own)) if index.value() == 0 => &self.bytes[own.clone()],
-            _ => return Err(Flaw(format!("{name} has no `uri`, and the file has no binary chunk for it"))),
+            _ => return Err(FormatError(format!("{name} has no `uri`, and the file has no binary chunk for it"))),
         };
         let length = buffer.byte_length.0;
         usize::try_from(length)
             .ok()
             .and_then(|length| bytes.get(..length))
-            .ok_or_else(|| Flaw(format!("{name} declares {length} bytes, and has {}", bytes.len())))
+            .ok_or_else(|| FormatError(format!("{name} declares {length} bytes, and has {}", bytes.len())))
     }
 
     /// Returns the data that a `uri` names: bytes in it, or a file in the same folder.
-    pub(super) fn resource(&self, uri: &str, of: &str) -> Result<Vec<u8>, Flaw> {
+    pub(super) fn resource(&self, uri: &str, of: &str) -> Result<Vec<u8>, FormatError> {
         if let Some(data) = uri.strip_prefix("data:") {
             let encoded = data.split_once(";base64,").map(|(_, encoded)| encoded);
-            let encoded = encoded.ok_or_else(|| Flaw(format!("the data of {of} is not base64")))?;
+            let encoded = encoded.ok_or_else(|| FormatError(format!("the data of {of} is not base64")))?;
             return STANDARD
                 .decode(encoded)
-                .map_err(|error| Flaw(format!("the data of {of} is not valid base64: {error}")));
+                .map_err(|error| FormatError(format!("the data of {of} is not valid base64: {error}")));
         }
-        let path = self.beside(uri).ok_or_else(|| Flaw(format!("{of} refers to `{uri}`, which is not a file")))?;
+        let path =
+            self.beside(uri).ok_or_else(|| FormatError(format!("{of} refers to `{uri}`, which is not a file")))?;
         // Anything that is not a regular file may have no end.
         if path.exists() && !path.is_file() {
-            return Err(Flaw(format!("{of} refers to `{}`, which is not a regular file", path.display())));
+            return Err(FormatError(format!("{of} refers to `{}`, which is not a regular file", path.display())));
         }
         std::fs::read(&path)
-            .map_err(|error| Flaw(format!("{of} refers to `{}`, which cannot be read: {error}", path.display())))
+            .map_err(|error| FormatError(format!("{of} refers to `{}`, which cannot be read: {error}", path.display())))
     }
 
     /// Returns the existing files that contain its buffers, besides this one.
@@ -130,20 +139,23 @@ impl Gltf {
 }
 
 /// Returns the range of the JSON in a binary file, and the range of its buffer.
-fn chunks(bytes: &[u8]) -> Result<(Range<usize>, Option<Range<usize>>), Flaw> {
+fn chunks(bytes: &[u8]) -> Result<(Range<usize>, Option<Range<usize>>), FormatError> {
     let number = |at: usize| {
         let four = bytes.get(at..).and_then(|rest| rest.first_chunk());
         four.map(|four| u32::from_le_bytes(*four))
-            .ok_or_else(|| Flaw::at(at, "unexpected end of file, expected 4 more bytes"))
+            .ok_or_else(|| FormatError::at(at, "unexpected end of file, expected 4 more bytes"))
     };
     let version = number(4)?;
     if version != 2 {
-        return Err(Flaw::at(4, &format!("glTF binary version {version} is not supported; use version 2")));
+        return Err(FormatError::at(4, &format!("glTF binary version {version} is not supported; use version 2")));
     }
     let length = number(8)? as usize;
     // Data other than padding after the end would be dropped, or shows that the lengths are wrong.
     if !bytes.get(length..).is_some_and(are_padding) {
-        return Err(Flaw::at(8, &format!("the header declares {length} bytes, and the file has {}", bytes.len())));
+        return Err(FormatError::at(
+            8,
+            &format!("the header declares {length} bytes, and the file has {}", bytes.len()),
+        ));
     }
     let (mut at, mut json, mut own) = (12, None, None);
     while at < length {
@@ -151,7 +163,7 @@ fn chunks(bytes: &[u8]) -> Result<(Range<usize>, Option<Range<usize>>), Flaw> {
         let range = at + 8..at + 8 + size;
         if range.end > length {
             let left = length.saturating_sub(range.start);
-            return Err(Flaw::at(at, &format!("a chunk declares {size} bytes, and {left} remain")));
+            return Err(FormatError::at(at, &format!("a chunk declares {size} bytes, and {left} remain")));
         }
         at = range.end;
         match &kind {
@@ -160,7 +172,7 @@ fn chunks(bytes: &[u8]) -> Result<(Range<usize>, Option<Range<usize>>), Flaw> {
             _ => {}
         }
     }
-    json.map(|json| (json, own)).ok_or_else(|| Flaw::at(12, "the file has no JSON chunk"))
+    json.map(|json| (json, own)).ok_or_else(|| FormatError::at(12, "the file has no JSON chunk"))
 }
 
 /// Returns a `uri` with its percent-encoding (%xx) decoded.

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use gltf_json::Texture;
 
 use super::Gltf;
-use crate::assets::flaw::Flaw;
+use crate::assets::flaw::FormatError;
 use crate::document::SceneError;
 
 /// The location of an image.
@@ -35,22 +35,25 @@ impl Gltf {
         self.stored(number).map_err(|flaw| flaw.of(&self.path))
     }
 
-    fn stored(&self, number: usize) -> Result<Stored, Flaw> {
+    fn stored(&self, number: usize) -> Result<Stored, FormatError> {
         let of = format!("images[{number}]");
         let count = self.root.images.len();
-        let image =
-            self.root.images.get(number).ok_or_else(|| Flaw(format!("{of} does not exist; the file has {count}")))?;
+        let image = self
+            .root
+            .images
+            .get(number)
+            .ok_or_else(|| FormatError(format!("{of} does not exist; the file has {count}")))?;
         match (&image.uri, image.buffer_view) {
             (Some(uri), _) => match self.beside(uri) {
                 // Anything that is not a regular file may have no end.
                 Some(path) if path.exists() && !path.is_file() => {
-                    Err(Flaw(format!("{of} refers to `{}`, which is not a regular file", path.display())))
+                    Err(FormatError(format!("{of} refers to `{}`, which is not a regular file", path.display())))
                 }
                 Some(path) => Ok(Stored::Beside(path)),
                 None => self.resource(uri, &of).map(Stored::Within),
             },
             (None, Some(view)) => Ok(Stored::Within(self.view(view, &of)?.1.to_vec())),
-            (None, None) => Err(Flaw(format!("{of} has neither `uri` nor `bufferView`"))),
+            (None, None) => Err(FormatError(format!("{of} has neither `uri` nor `bufferView`"))),
         }
     }
 }

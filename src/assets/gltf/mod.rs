@@ -16,7 +16,7 @@ use std::sync::OnceLock;
 
 use gltf_json::{Index, Root, root::Get};
 
-use super::flaw::Flaw;
+use super::flaw::FormatError;
 
 pub(super) use accessor::Elements;
 pub use gltf_json as json;
@@ -36,9 +36,9 @@ pub struct Gltf {
     bytes: Vec<u8>,
     own: Option<std::ops::Range<usize>>,
     /// The other buffers, loaded when they are first needed.
-    buffers: Vec<OnceLock<Result<Vec<u8>, Flaw>>>,
+    buffers: Vec<OnceLock<Result<Vec<u8>, FormatError>>>,
     /// The nodes with a mesh, found when they are first needed.
-    with_mesh: OnceLock<Result<WithMesh, Flaw>>,
+    with_mesh: OnceLock<Result<WithMesh, FormatError>>,
 }
 
 impl Gltf {
@@ -49,13 +49,17 @@ impl Gltf {
     }
 
     /// Returns the object with this index; `list` is the name of its list in the file, and `of` names the object that contains the index.
-    fn get<T>(&self, index: Index<T>, list: &str, of: &str) -> Result<&T, Flaw>
+    fn get<T>(&self, index: Index<T>, list: &str, of: &str) -> Result<&T, FormatError>
     where
         Root: Get<T> + AsRef<[T]>,
     {
         self.root.get(index).ok_or_else(|| {
             let all: &[T] = self.root.as_ref();
-            Flaw(format!("{of} refers to {list}[{}], and there are {}, counted from 0", index.value(), all.len()))
+            FormatError(format!(
+                "{of} refers to {list}[{}], and there are {}, counted from 0",
+                index.value(),
+                all.len()
+            ))
         })
     }
 }

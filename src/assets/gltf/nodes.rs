@@ -7,7 +7,7 @@ use gltf_json::{Index, Node};
 use serde::Deserialize;
 
 use super::Gltf;
-use crate::assets::flaw::Flaw;
+use crate::assets::flaw::FormatError;
 use crate::document::SceneError;
 use crate::document::values::suggest;
 
@@ -37,7 +37,7 @@ impl Gltf {
         self.placed().map_err(|flaw| flaw.of(&self.path))
     }
 
-    fn placed(&self) -> Result<Vec<Placed<'_>>, Flaw> {
+    fn placed(&self) -> Result<Vec<Placed<'_>>, FormatError> {
         let scene = match self.root.scene {
             Some(scene) => Some(self.get(scene, "scenes", "scene")?),
             None => self.root.scenes.first(),
@@ -50,11 +50,11 @@ impl Gltf {
             let node = self.get(index, "nodes", "a scene or node")?;
             let number = index.value();
             if std::mem::replace(&mut met[number], true) {
-                return Err(Flaw(format!("nodes[{number}] is used twice, but nodes must form a tree")));
+                return Err(FormatError(format!("nodes[{number}] is used twice, but nodes must form a tree")));
             }
             let world = parent * self.maps.get(number).map_or(DAffine3::IDENTITY, Map::affine);
             if !world.is_finite() {
-                return Err(Flaw(format!("the position of nodes[{number}] is not finite")));
+                return Err(FormatError(format!("the position of nodes[{number}] is not finite")));
             }
             placed.push(Placed { number: number as u32, node, world });
             let children = node.children.iter().flatten().rev();
@@ -64,7 +64,7 @@ impl Gltf {
     }
 
     /// Returns the nodes with a mesh.
-    pub(in crate::assets) fn with_mesh(&self) -> Result<&WithMesh, Flaw> {
+    pub(in crate::assets) fn with_mesh(&self) -> Result<&WithMesh, FormatError> {
         let found = self.with_mesh.get_or_init(|| Ok(WithMesh::of(&self.placed()?)));
         found.as_ref().map_err(Clone::clone)
     }
@@ -122,13 +122,13 @@ impl WithMesh {
     }
 
     /// Returns the only node with this name or index.
-    pub fn chosen(&self, name: &NodeName) -> Result<(u32, DAffine3), Flaw> {
+    pub fn chosen(&self, name: &NodeName) -> Result<(u32, DAffine3), FormatError> {
         /// The largest number of names in a message.
         const TOLD: usize = 20;
         match name {
             NodeName::Number(number) => match self.numbered.get(number) {
                 Some(at) => Ok(self.all[*at]),
-                None => Err(Flaw(format!("the scene of the file has no node {number} with a mesh"))),
+                None => Err(FormatError(format!("the scene of the file has no node {number} with a mesh"))),
             },
             NodeName::Name(name) => match self.named.get(name).map_or(&[][..], Vec::as_slice) {
                 [at] => Ok(self.all[*at]),
@@ -136,12 +136,18 @@ impl WithMesh {
                     let mut names: Vec<&str> = self.named.keys().map(String::as_str).collect();
                     names.sort_unstable();
                     names.truncate(TOLD);
-                    Err(Flaw(format!("the file has no node `{name}` with a mesh; {}", suggest(name, &names, "nodes"))))
+                    Err(FormatError(format!(
+                        "the file has no node `{name}` with a mesh; {}",
+                        suggest(name, &names, "nodes")
+                    )))
                 }
                 several => {
                     let numbers: Vec<String> =
                         several.iter().take(TOLD).map(|at| self.all[*at].0.to_string()).collect();
-                    Err(Flaw(format!("several nodes have this name; use one of the numbers {}", numbers.join(", "))))
+                    Err(FormatError(format!(
+                        "several nodes have this name; use one of the numbers {}",
+                        numbers.join(", ")
+                    )))
                 }
             },
         }

@@ -102,7 +102,7 @@ impl Stored {
 
 /// The format of a file of raw numbers, which the file itself does not specify.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Bare {
+pub struct RawGridLayout {
     /// The number of samples along x, y and z.
     pub size: [u32; 3],
     /// The type of the numbers.
@@ -113,9 +113,9 @@ pub struct Bare {
 
 /// The use of a grid in a scene.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Use {
+pub struct GridUse {
     /// The format of a file of raw numbers.
-    pub bare: Option<Bare>,
+    pub bare: Option<RawGridLayout>,
     /// The positions of the first and the last sample; `None` to use the file's.
     pub corners: Option<[DVec3; 2]>,
     /// The factor of stored values: n = offset + scale · value.
@@ -127,7 +127,7 @@ pub struct Use {
 /// Stored numbers, with their position if the file specifies it.
 #[derive(Debug)]
 struct Volume {
-    bare: Bare,
+    bare: RawGridLayout,
     /// The position of the first sample, and the distance to the next.
     place: Option<(DVec3, DVec3)>,
     bytes: Vec<u8>,
@@ -140,12 +140,12 @@ const MOST_SAMPLES: u64 = 1 << 30;
 
 impl IndexGrid {
     /// Reads the samples of a file.
-    pub fn load(path: &Path, used: &Use) -> Result<Self, SceneError> {
+    pub fn load(path: &Path, used: &GridUse) -> Result<Self, SceneError> {
         Self::read(path, used, &Stage::unwatched())
     }
 
     /// Reads the samples of a file as [`load`](Self::load) does, and reports its progress to `stage`; all samples together are one unit.
-    pub(super) fn read(path: &Path, used: &Use, stage: &Stage) -> Result<Self, SceneError> {
+    pub(super) fn read(path: &Path, used: &GridUse, stage: &Stage) -> Result<Self, SceneError> {
         let bytes = read_bytes(path)?;
         let unusable = |problem: String| SceneError::Grid { path: path.to_owned(), problem };
         let volume = match used.bare {
@@ -161,8 +161,8 @@ impl IndexGrid {
         size_of_val(&self.samples[..]) as u64
     }
 
-    fn from_volume(volume: &Volume, used: &Use, stage: &Stage) -> Result<Self, String> {
-        let Bare { size, stored, little } = volume.bare;
+    fn from_volume(volume: &Volume, used: &GridUse, stage: &Stage) -> Result<Self, String> {
+        let RawGridLayout { size, stored, little } = volume.bare;
         if size.iter().any(|count| *count < 2) {
             return Err(format!("the grid has {size:?} samples, and at least two are required along each axis"));
         }

@@ -7,8 +7,8 @@
 //!
 //! *Length.* Over 300 lines, because it reads one format, from header to samples, with a message for every field.
 
-use super::{Bare, Stored, Volume, count};
-use crate::document::{Mistake, SceneError, lenient_text, read_bytes, unmarked};
+use super::{RawGridLayout, Stored, Volume, count};
+use crate::document::{Diagnostic, SceneError, lenient_text, read_bytes, unmarked};
 use glam::DVec3;
 use std::borrow::Cow;
 use std::io::Read as _;
@@ -27,7 +27,7 @@ pub(super) fn read(bytes: &[u8], path: &Path) -> Result<Volume, SceneError> {
     let header = lenient_text(header, path)?;
     let wrong = |(word, problem, help): Wrong| {
         // A word is a slice of the text, so the difference of the addresses is its offset.
-        SceneError::Mistakes(vec![Mistake::of(path, &header, word, problem, help)])
+        SceneError::Diagnostics(vec![Diagnostic::of(path, &header, word, problem, help)])
     };
     let volume = Header::read(&header).map_err(wrong)?;
     // If there are too many samples, none are read; the caller rejects their number.
@@ -167,7 +167,7 @@ fn split(bytes: &[u8]) -> (&[u8], &[u8]) {
 }
 
 struct Header<'a> {
-    bare: Bare,
+    bare: RawGridLayout,
     place: Option<(DVec3, DVec3)>,
     zipped: bool,
     skip: Skip<'a>,
@@ -228,7 +228,7 @@ impl<'a> Header<'a> {
             None if stored.bytes() == 1 => true,
             None => required(&["endian"], "little").map(|_| true)?,
         };
-        Ok(Self { bare: Bare { size, stored, little }, place: place(&fields)?, zipped, skip, data })
+        Ok(Self { bare: RawGridLayout { size, stored, little }, place: place(&fields)?, zipped, skip, data })
     }
 }
 

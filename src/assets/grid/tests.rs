@@ -1,14 +1,14 @@
 //! Tests of sample files: the contents of valid files, and the errors of invalid ones.
 
-use super::{Bare, IndexGrid, Stored, Use};
-use crate::document::{Mistake, SceneError};
+use super::{GridUse, IndexGrid, RawGridLayout, Stored};
+use crate::document::{Diagnostic, SceneError};
 use crate::progress::Progress;
 use glam::DVec3;
 use proptest::prelude::*;
 use std::io::Write as _;
 use std::path::Path;
 
-const AS_IT_IS: Use = Use { bare: None, corners: None, scale: 1.0, offset: 0.0 };
+const AS_IT_IS: GridUse = GridUse { bare: None, corners: None, scale: 1.0, offset: 0.0 };
 const HEADER: &str = "NRRD0004\n# made by hand\ntype: float\ndimension: 3\nsizes: 2 3 2\nencoding: raw\nendian: little\n\
                       spacings: 0.5 1 2\nkey:=value\ncontent: a: b\n";
 
@@ -20,7 +20,7 @@ fn bytes<const N: usize>(of: fn(f32) -> [u8; N]) -> Vec<u8> {
     values().into_iter().flat_map(of).collect()
 }
 
-fn load(header: &str, data: &[u8], used: &Use) -> Result<IndexGrid, SceneError> {
+fn load(header: &str, data: &[u8], used: &GridUse) -> Result<IndexGrid, SceneError> {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("a.nrrd");
     std::fs::write(&path, [header.as_bytes(), data].concat()).unwrap();
@@ -44,7 +44,7 @@ fn a_header_says_where_samples_are() {
     let grid = good(&header, &data);
     assert_eq!((grid.origin, grid.cell), (DVec3::new(-1.0, 2.0, 3.0), DVec3::new(1.0, 2.0, 0.5)));
     // The scene has priority over the file.
-    let used = Use { corners: Some([DVec3::splat(-1.0), DVec3::splat(1.0)]), ..AS_IT_IS };
+    let used = GridUse { corners: Some([DVec3::splat(-1.0), DVec3::splat(1.0)]), ..AS_IT_IS };
     let grid = load(&format!("{header}\n"), &data, &used).unwrap();
     assert_eq!((grid.origin, grid.cell), (DVec3::splat(-1.0), DVec3::new(2.0, 1.0, 2.0)));
 }
@@ -71,7 +71,7 @@ fn every_kind_of_number_is_read() {
         };
         for (endian, data) in little.iter().zip(data) {
             let header = HEADER.replace("type: float", &format!("type: {name}")).replace("endian: little", endian);
-            let used = Use { scale: 2.0 * scale, offset: -1.0, ..AS_IT_IS };
+            let used = GridUse { scale: 2.0 * scale, offset: -1.0, ..AS_IT_IS };
             let want: Vec<f32> = values().iter().map(|v| 2.0 * v - 1.0).collect();
             assert_eq!(load(&format!("{header}\n"), &data, &used).unwrap().samples, want, "{name}, {endian}");
             let mut zipper = flate2::write::GzEncoder::new(Vec::new(), flate2::Compression::fast());
@@ -156,10 +156,10 @@ fn samples_are_reported_as_they_are_read() {
 
 #[test]
 fn bare_numbers_need_what_the_scene_says() {
-    let bare = Bare { size: [3, 2, 2], stored: Stored::F64, little: false };
+    let bare = RawGridLayout { size: [3, 2, 2], stored: Stored::F64, little: false };
     let corners = Some([DVec3::ZERO, DVec3::ONE]);
     let data = bytes(|v| f64::from(v).to_be_bytes());
-    let grid = load("", &data, &Use { bare: Some(bare), corners, ..AS_IT_IS }).unwrap();
+    let grid = load("", &data, &GridUse { bare: Some(bare), corners, ..AS_IT_IS }).unwrap();
     assert_eq!((grid.samples, grid.cell), (values(), DVec3::new(0.5, 1.0, 1.0)));
 }
 
@@ -202,10 +202,10 @@ fn mistakes_have_their_line() {
         let start = marked.find('«').unwrap();
         let end = marked.find('»').unwrap() - '«'.len_utf8();
         let text = marked.replace(['«', '»'], "");
-        let Err(SceneError::Mistakes(mistakes)) = load(&format!("{text}\n"), &[0; 48], &AS_IT_IS) else {
+        let Err(SceneError::Diagnostics(mistakes)) = load(&format!("{text}\n"), &[0; 48], &AS_IT_IS) else {
             panic!("{text}")
         };
-        let [Mistake { line, excerpt, problem: said, .. }] = &mistakes[..] else { panic!("{text}") };
+        let [Diagnostic { line, excerpt, problem: said, .. }] = &mistakes[..] else { panic!("{text}") };
         assert_eq!((*line, excerpt.as_str()), (text[..start].split('\n').count(), &text[start..end]), "{said}");
         assert!(said.contains(problem), "{said}");
     }

@@ -1,7 +1,7 @@
 //! Shared code of binary formats: values read from bytes, and errors at a byte offset.
 
 use super::text::LARGEST;
-use crate::assets::flaw::Flaw;
+use crate::assets::flaw::FormatError;
 
 /// A reader of bytes that takes values one after the other.
 pub(super) struct Bytes<'a> {
@@ -26,15 +26,15 @@ impl<'a> Bytes<'a> {
     }
 
     /// Takes the next `N` bytes.
-    pub fn take<const N: usize>(&mut self) -> Result<[u8; N], Flaw> {
+    pub fn take<const N: usize>(&mut self) -> Result<[u8; N], FormatError> {
         let mut bytes = [0; N];
         bytes.copy_from_slice(self.take_some(N)?);
         Ok(bytes)
     }
 
     /// Takes the next `count` bytes.
-    pub fn take_some(&mut self, count: usize) -> Result<&'a [u8], Flaw> {
-        let short = || Flaw::at(self.at, &format!("unexpected end of file, expected {count} more bytes"));
+    pub fn take_some(&mut self, count: usize) -> Result<&'a [u8], FormatError> {
+        let short = || FormatError::at(self.at, &format!("unexpected end of file, expected {count} more bytes"));
         let bytes = self.rest().get(..count).ok_or_else(short)?;
         self.at += count;
         Ok(bytes)

@@ -6,7 +6,7 @@
 use std::fmt;
 use std::sync::{Arc, OnceLock};
 
-use crate::assets::flaw::Flaw;
+use crate::assets::flaw::FormatError;
 
 /// The largest number of triangles that a mesh may have. Clones share the answer.
 #[derive(Clone, Default)]
@@ -40,10 +40,10 @@ impl Capacity {
     }
 
     /// Checks the number of triangles that a file has, or that have been read from it so far.
-    pub(super) fn check(&self, triangles: u64) -> Result<(), Flaw> {
+    pub(super) fn check(&self, triangles: u64) -> Result<(), FormatError> {
         let Some(asked) = self.0.as_ref().filter(|asked| triangles > asked.always) else { return Ok(()) };
         match asked.answer.get_or_init(|| (asked.ask)()) {
-            Some(Held { device, triangles: most }) if triangles > *most => Err(Flaw(format!(
+            Some(Held { device, triangles: most }) if triangles > *most => Err(FormatError(format!(
                 "the mesh has {triangles} or more triangles, and {device} supports at most {most}; use a coarser \
                  mesh, or another device"
             ))),

@@ -24,7 +24,7 @@ use gltf_json::{Accessor, Index};
 use super::bytes::usable;
 use super::raw::{Corner, Raw};
 use super::{Capacity, Format, Mesh, Part, Parts, Read, Source};
-use crate::assets::flaw::Flaw;
+use crate::assets::flaw::FormatError;
 use crate::assets::gltf::{Elements, Gltf, NodeName};
 use crate::document::SceneError;
 
@@ -59,7 +59,7 @@ impl Gltf {
         Parts::read(self, source, &Capacity::default())?.mesh(crease).map_err(|flaw| flaw.of(self.path()))
     }
 
-    fn source(&self, part: &Part) -> Result<(Source, DAffine3), Flaw> {
+    fn source(&self, part: &Part) -> Result<(Source, DAffine3), FormatError> {
         let Some(name) = &part.node else { return Ok((Source::Placed(part.clone()), DAffine3::IDENTITY)) };
         let (number, world) = self.with_mesh()?.chosen(name)?;
         let (mesh, _) = self.mesh_of(number)?;
@@ -71,7 +71,7 @@ impl Gltf {
         Ok((Source::Placed(Part { node, primitive: part.primitive }), DAffine3::IDENTITY))
     }
 
-    fn raw(&self, source: &Source, capacity: &Capacity) -> Result<Raw, Flaw> {
+    fn raw(&self, source: &Source, capacity: &Capacity) -> Result<Raw, FormatError> {
         let shown = match source {
             Source::Own { mesh, primitive } => {
                 let count = self.root.meshes.get(*mesh).map_or(0, |mesh| mesh.primitives.len());
@@ -87,7 +87,7 @@ impl Gltf {
                 let shown = nodes
                     .into_iter()
                     .map(|(number, world)| Ok((self.mesh_of(number)?.0, self.numbers(number, part.primitive)?, world)));
-                shown.collect::<Result<_, Flaw>>()?
+                shown.collect::<Result<_, FormatError>>()?
             }
         };
         let mut primitives = Vec::new();
@@ -102,31 +102,31 @@ impl Gltf {
         for (primitive, world, of) in primitives {
             self.primitive(&mut raw, primitive, world, &of)?;
         }
-        if raw.is_empty() { Err(Flaw(raw.nothing())) } else { Ok(raw) }
+        if raw.is_empty() { Err(FormatError(raw.nothing())) } else { Ok(raw) }
     }
 
     /// Returns the mesh of a node that has one, with its index in the file.
-    fn mesh_of(&self, node: u32) -> Result<(usize, &gltf_json::Mesh), Flaw> {
+    fn mesh_of(&self, node: u32) -> Result<(usize, &gltf_json::Mesh), FormatError> {
         let index = self.root.nodes[node as usize].mesh;
         let (at, mesh) = index.map_or((0, None), |index| (index.value(), self.root.get(index)));
         mesh.map(|mesh| (at, mesh))
-            .ok_or_else(|| Flaw(format!("nodes[{node}] refers to meshes[{at}], which does not exist")))
+            .ok_or_else(|| FormatError(format!("nodes[{node}] refers to meshes[{at}], which does not exist")))
     }
 
     /// Returns the indices of the requested primitives of a node's mesh.
-    fn numbers(&self, node: u32, primitive: Option<u32>) -> Result<Range<usize>, Flaw> {
+    fn numbers(&self, node: u32, primitive: Option<u32>) -> Result<Range<usize>, FormatError> {
         let count = self.mesh_of(node)?.1.primitives.len();
         match primitive {
             None => Ok(0..count),
             Some(number) if (number as usize) < count => Ok(number as usize..number as usize + 1),
             Some(number) => {
-                Err(Flaw(format!("nodes[{node}] has no primitive {number}; it has {count}, counted from 0")))
+                Err(FormatError(format!("nodes[{node}] has no primitive {number}; it has {count}, counted from 0")))
             }
         }
     }
 
     /// Counts the triangles of the primitives before any are read, and fails if they are too many.
-    fn count_triangles(&self, primitives: &[(&Primitive, DAffine3, String)]) -> Result<u64, Flaw> {
+    fn count_triangles(&self, primitives: &[(&Primitive, DAffine3, String)]) -> Result<u64, FormatError> {
         let mut known: BTreeMap<usize, u64> = BTreeMap::new();
         let mut count = |index: Index<Accessor>, of: Type, name: &str| {
             if let Some(count) = known.get(&index.value()) {
@@ -149,7 +149,7 @@ impl Gltf {
         for (all, what) in [(vertices, "vertices"), (corners, "triangle corners")] {
             if all > MOST {
                 let problem = "counting each instance, and the limit is";
-                return Err(Flaw(format!(
+                return Err(FormatError(format!(
                     "the file has {all} {what}, {problem} {MOST}; use one object per node, as `bentray import` does, \
                      or several files"
                 )));
@@ -158,7 +158,7 @@ impl Gltf {
         Ok(triangles)
     }
 
-    fn primitive(&self, raw: &mut Raw, primitive: &Primitive, world: DAffine3, of: &str) -> Result<(), Flaw> {
+    fn primitive(&self, raw: &mut Raw, primitive: &Primitive, world: DAffine3, of: &str) -> Result<(), FormatError> {
         let mode = mode(primitive, of)?;
         let left_out = match mode {
             Mode::Points => Some("point primitives"),
@@ -171,14 +171,14 @@ impl Gltf {
         }
         let given = |semantic| primitive.attributes.get(&Valid(semantic)).copied();
         let named = |attribute: &str| format!("{of}.attributes.{attribute}");
-        let positions = given(Semantic::Positions).ok_or_else(|| Flaw(format!("{of} has no POSITION")))?;
+        let positions = given(Semantic::Positions).ok_or_else(|| FormatError(format!("{of} has no POSITION")))?;
         let positions = self.elements(positions, &[Type::Vec3], &named("POSITION"))?;
         let count = positions.count;
         let base = raw.positions.len();
         for i in 0..count {
             let position = world.transform_point3(Vec3::from(positions.numbers(i)).as_dvec3());
             if !position.to_array().into_iter().all(usable) {
-                return Err(Flaw(format!(
+                return Err(FormatError(format!(
                     "{of}: vertex {i} is at {position}; numbers must be finite, up to 1e30 in magnitude"
                 )));
             }
@@ -225,7 +225,7 @@ impl Gltf {
         vertices: usize,
         of: &str,
         mut take: impl FnMut([u32; 3]),
-    ) -> Result<(), Flaw> {
+    ) -> Result<(), FormatError> {
         let indices = primitive.indices.map(|index| self.elements(index, &[Type::Scalar], &format!("{of}.indices")));
         let indices = indices.transpose()?;
         let count = indices.as_ref().map_or(vertices, |indices| indices.count);
@@ -233,9 +233,9 @@ impl Gltf {
             None => Ok(i as u32),
             Some(indices) => match indices.index(i) {
                 index if (index as usize) < vertices => Ok(index),
-                index => {
-                    Err(Flaw(format!("{of}: index {i} is {index}, and there are {vertices} vertices, counted from 0")))
-                }
+                index => Err(FormatError(format!(
+                    "{of}: index {i} is {index}, and there are {vertices} vertices, counted from 0"
+                ))),
             },
         };
         for i in 0..triangles_of(mode, count as u64) as usize {
@@ -270,10 +270,10 @@ impl Gltf {
 }
 
 /// Checks that an attribute has as many elements as there are vertices.
-fn same_count<'a>(elements: Option<Elements<'a>>, count: usize, of: &str) -> Result<Option<Elements<'a>>, Flaw> {
+fn same_count<'a>(elements: Option<Elements<'a>>, count: usize, of: &str) -> Result<Option<Elements<'a>>, FormatError> {
     match elements {
         Some(elements) if elements.count != count => {
-            Err(Flaw(format!("{of} has {} elements, and there are {count} vertices", elements.count)))
+            Err(FormatError(format!("{of} has {} elements, and there are {count} vertices", elements.count)))
         }
         elements => Ok(elements),
     }
@@ -289,10 +289,10 @@ fn triangles_of(mode: Mode, corners: u64) -> u64 {
 }
 
 /// Returns the mode of a primitive, which defines how its vertices form triangles.
-fn mode(primitive: &Primitive, of: &str) -> Result<Mode, Flaw> {
+fn mode(primitive: &Primitive, of: &str) -> Result<Mode, FormatError> {
     match &primitive.mode {
         Valid(mode) => Ok(*mode),
-        Invalid => Err(Flaw(format!("{of} has an invalid `mode`"))),
+        Invalid => Err(FormatError(format!("{of} has an invalid `mode`"))),
     }
 }
 

@@ -7,11 +7,11 @@ use glam::{DVec3, Vec2, Vec3};
 
 use super::raw::{Corner, Raw};
 use super::{Mesh, Vertex, normals};
-use crate::assets::flaw::Flaw;
+use crate::assets::flaw::FormatError;
 
 impl Raw {
     /// Returns the mesh. Missing normals are generated: faces that meet at an angle below `crease` degrees share their normals.
-    pub(super) fn mesh(&self, crease: f64) -> Result<Mesh, Flaw> {
+    pub(super) fn mesh(&self, crease: f64) -> Result<Mesh, FormatError> {
         let origin = self.origin();
         let place = |corner: Corner| (self.positions[corner.position as usize] - origin).as_vec3();
         let made = normals::made(self, crease, origin);
@@ -50,7 +50,7 @@ impl Raw {
         });
         let triangles: Vec<[u32; 3]> = triangles.collect();
         if triangles.is_empty() {
-            return Err(Flaw(self.nothing()));
+            return Err(FormatError(self.nothing()));
         }
         let color_flaw = self.colors.flaw().map(str::to_owned);
         Ok(Mesh { origin, left_out: self.left_out(), colors, color_flaw, ..Mesh::new(vertices, triangles) })

@@ -69,7 +69,7 @@ pub struct Vertex {
 
 /// The requested part of a file, and how to read it.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Wanted {
+pub struct MeshRequest {
     /// The crease angle in degrees: faces that meet at a larger angle have a visible edge, if the file has no normals.
     pub crease: f64,
     /// The part of the file.
@@ -99,13 +99,13 @@ pub enum Source {
     },
 }
 
-impl Wanted {
+impl MeshRequest {
     /// The default crease angle in degrees: smaller than the angles at intended edges, and larger than the angles between
     /// faces that approximate a smooth surface.
     pub const CREASE: f64 = 30.0;
 }
 
-impl Default for Wanted {
+impl Default for MeshRequest {
     fn default() -> Self {
         Self { crease: Self::CREASE, part: Part::default() }
     }
@@ -255,14 +255,14 @@ impl Mesh {
         let (stage, capacity) = (Stage::unwatched(), Capacity::default());
         let opened = Opened::read(path, Reading { stage: &stage, capacity: &capacity })?;
         let (source, _) = opened.find(&Part::default(), path)?;
-        opened.mesh(&source, Wanted::CREASE, path, &capacity)
+        opened.mesh(&source, MeshRequest::CREASE, path, &capacity)
     }
 
     /// Parses the text of an OBJ file; `path` names it in errors.
     pub fn parse(text: &str, path: &Path) -> Result<Self, SceneError> {
         let (stage, capacity) = (Stage::unwatched(), Capacity::default());
         obj::read(text, path, Reading { stage: &stage, capacity: &capacity })?
-            .mesh(Wanted::CREASE)
+            .mesh(MeshRequest::CREASE)
             .map_err(|flaw| flaw.of(path))
     }
 }

@@ -13,7 +13,7 @@ use std::path::Path;
 use glam::{DVec3, Vec2};
 
 use super::raw::{Corner, MOST_CORNERS, Raw, too_many};
-use super::text::{Mistakes, Wrong, divides, numbers, words};
+use super::text::{Diagnostics, Wrong, divides, numbers, words};
 use super::{Format, Read, Reading};
 use crate::document::values::suggest;
 use crate::document::{SceneError, lenient_text};
@@ -27,7 +27,7 @@ pub(super) const FORMAT: Format = Format {
 /// Reads the text of an OBJ file; `path` names it in errors.
 pub(super) fn read(text: &str, path: &Path, reading: Reading) -> Result<Raw, SceneError> {
     let mut loader = Loader::default();
-    let mut mistakes = Mistakes::of(text, path);
+    let mut mistakes = Diagnostics::of(text, path);
     let mut line = Vec::new();
     for statement in statements(text) {
         line.clear();

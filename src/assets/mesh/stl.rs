@@ -13,9 +13,9 @@ use glam::{DVec3, Vec3};
 
 use super::bytes::{Bytes, usable};
 use super::raw::{Corner, MOST_CORNERS, Raw, too_many};
-use super::text::{Mistakes, Wrong, numbers, words};
+use super::text::{Diagnostics, Wrong, numbers, words};
 use super::{Format, Read, Reading};
-use crate::assets::flaw::Flaw;
+use crate::assets::flaw::FormatError;
 use crate::document::{SceneError, lenient_text, unmarked};
 
 pub(super) const FORMAT: Format = Format { extensions: &["stl"], read: Read::Whole(read) };
@@ -40,19 +40,19 @@ fn read(bytes: &[u8], path: &Path, reading: Reading) -> Result<Raw, SceneError> 
             let found = bytes.len();
             let problem =
                 format!("the file does not begin with `solid`, and has only {found} of the {HEADER} bytes of a header");
-            Err(Flaw(problem).of(path))
+            Err(FormatError(problem).of(path))
         }
     }
 }
 
-fn binary(bytes: &[u8], count: u32, reading: Reading) -> Result<Raw, Flaw> {
+fn binary(bytes: &[u8], count: u32, reading: Reading) -> Result<Raw, FormatError> {
     let mut bytes = Bytes::from(bytes, HEADER);
     let fit = bytes.left() / TRIANGLE;
     // A count smaller than the data would drop the rest of the mesh.
     if count as usize != fit {
         let problem =
             format!("the header declares {count} triangles of {TRIANGLE} bytes, and {} bytes follow", bytes.left());
-        return Err(Flaw::at(HEADER - 4, &problem));
+        return Err(FormatError::at(HEADER - 4, &problem));
     }
     reading.capacity.check(count.into())?;
     let mut raw = Raw::default();
@@ -66,7 +66,7 @@ fn binary(bytes: &[u8], count: u32, reading: Reading) -> Result<Raw, Flaw> {
                 *value = f32::from_le_bytes(bytes.take()?);
             }
             if !point.into_iter().all(usable) {
-                return Err(Flaw::at(
+                return Err(FormatError::at(
                     at,
                     &format!("a corner is at {point:?}; numbers must be finite, up to 1e30 in magnitude"),
                 ));
@@ -76,12 +76,12 @@ fn binary(bytes: &[u8], count: u32, reading: Reading) -> Result<Raw, Flaw> {
         bytes.take::<2>()?;
         face(&mut raw, 3);
     }
-    if raw.is_empty() { Err(Flaw(raw.nothing())) } else { Ok(raw) }
+    if raw.is_empty() { Err(FormatError(raw.nothing())) } else { Ok(raw) }
 }
 
 fn lines(text: &str, path: &Path, reading: Reading) -> Result<Raw, SceneError> {
     let mut raw = Raw::default();
-    let mut mistakes = Mistakes::of(text, path);
+    let mut mistakes = Diagnostics::of(text, path);
     let (mut corners, mut line) = (0, Vec::new());
     for text in text.lines() {
         line.clear();

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use crate::document::{Mistake, SceneError};
+use crate::document::{Diagnostic, SceneError};
 
 use super::raw::Raw;
 
@@ -13,19 +13,19 @@ const ENOUGH: usize = 10;
 pub(super) type Wrong<'a> = (&'a str, String, String);
 
 /// The errors of a text.
-pub(super) struct Mistakes<'a> {
+pub(super) struct Diagnostics<'a> {
     text: &'a str,
     path: &'a Path,
-    all: Vec<Mistake>,
+    all: Vec<Diagnostic>,
 }
 
-impl<'a> Mistakes<'a> {
+impl<'a> Diagnostics<'a> {
     pub fn of(text: &'a str, path: &'a Path) -> Self {
         Self { text, path, all: Vec::new() }
     }
 
     pub fn add(&mut self, (word, problem, help): Wrong<'a>) {
-        self.all.push(Mistake::of(self.path, self.text, word, problem, help));
+        self.all.push(Diagnostic::of(self.path, self.text, word, problem, help));
     }
 
     pub fn are_enough(&self) -> bool {
@@ -42,7 +42,7 @@ impl<'a> Mistakes<'a> {
 
     /// Returns all errors as one.
     pub fn error(self) -> SceneError {
-        SceneError::Mistakes(self.all)
+        SceneError::Diagnostics(self.all)
     }
 }
 

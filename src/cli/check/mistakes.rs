@@ -7,15 +7,15 @@ use serde_json::{Value, json};
 use crate::cli::format::{Found, shown};
 use crate::document::brief;
 use crate::error::Error;
-use crate::scene::{Mistake, SceneError};
+use crate::scene::{Diagnostic, SceneError};
 
 /// A scene that cannot be rendered.
-pub(super) struct Wrong<'a> {
+pub(super) struct InvalidScene<'a> {
     pub path: &'a Path,
     pub error: Error,
 }
 
-impl Found for Wrong<'_> {
+impl Found for InvalidScene<'_> {
     fn text(&self) -> String {
         format!("error: {}", self.error)
     }
@@ -26,7 +26,7 @@ impl Found for Wrong<'_> {
             error => error,
         };
         let mistakes = match error {
-            Error::Scene(SceneError::Mistakes(mistakes)) => mistakes.iter().map(object).collect(),
+            Error::Scene(SceneError::Diagnostics(mistakes)) => mistakes.iter().map(object).collect(),
             // The error concerns the whole scene, or a file that it names.
             error => {
                 let file = match error {
@@ -52,7 +52,7 @@ impl Found for Wrong<'_> {
     }
 }
 
-fn object(mistake: &Mistake) -> Value {
+fn object(mistake: &Diagnostic) -> Value {
     let some = |text: &str| (!text.is_empty()).then(|| brief(text).into_owned());
     json!({
         "file": shown(&mistake.file),

@@ -6,7 +6,7 @@ use serde_json::{Value, json};
 
 use crate::cli::format::{Found, counted, shown};
 use crate::cli::render::followed;
-use crate::gpu::{Built, Geometry, Grid, LightVolume, Memory, adapters, halved_pictures, light_bytes};
+use crate::gpu::{AccelStructure, Geometry, Grid, LightVolume, Memory, adapters, halved_pictures, light_bytes};
 use crate::model::medium::VISIBLE;
 use crate::program::Program;
 use crate::render::usual_steps;
@@ -253,7 +253,7 @@ fn guide_words(scene: &Scene) -> Option<String> {
 
 /// Describes the acceleration structure that segments search, if there is one.
 fn structure_words(geometry: &Geometry) -> Option<String> {
-    let Built { items, nodes, grid, .. } = &geometry.structure;
+    let AccelStructure { items, nodes, grid, .. } = &geometry.structure;
     let triangles = geometry.triangles.len();
     let places = geometry.instances.places().len();
     Some(match grid {
@@ -274,7 +274,7 @@ fn structure_words(geometry: &Geometry) -> Option<String> {
 }
 
 fn structure(geometry: &Geometry) -> Value {
-    let Built { items, grid, .. } = &geometry.structure;
+    let AccelStructure { items, grid, .. } = &geometry.structure;
     json!({
         "primitives": items.len(),
         "triangles": geometry.triangles.len(),

@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use super::{Arguments, is_exr};
 use crate::cli::frames::Film;
-use crate::cli::go_on::{self, Before, is_continuable};
+use crate::cli::go_on::{self, EarlierImage, is_continuable};
 use crate::cli::paths;
 use crate::cli::share::Target;
 use crate::cli::watch::PreviewFile;
@@ -121,7 +121,7 @@ impl Arguments {
 
     /// Returns the layers in the order of [`Layer::ALL`], each once; none without an EXR. The number of samples per pixel is a layer of
     /// adaptive images, unless --layers selects others.
-    pub(super) fn layers(&self, scene: &Scene, before: Option<&Before>) -> Vec<Layer> {
+    pub(super) fn layers(&self, scene: &Scene, before: Option<&EarlierImage>) -> Vec<Layer> {
         if !self.output.iter().chain(&self.preview).any(|path| is_exr(path)) {
             return Vec::new();
         }
@@ -140,8 +140,8 @@ impl Arguments {
 
     /// Returns the layers that the program keeps. They include the layers that a search compares if the image of `--method-from` had
     /// them, because another program may round differently.
-    pub(super) fn kept(&self, layers: &[Layer], before: Option<&Before>) -> Vec<Layer> {
-        let is_compared = before.map_or_else(|| self.changes.is_compared(), Before::is_compared);
+    pub(super) fn kept(&self, layers: &[Layer], before: Option<&EarlierImage>) -> Vec<Layer> {
+        let is_compared = before.map_or_else(|| self.changes.is_compared(), EarlierImage::is_compared);
         if is_compared { compared_layers(layers) } else { layers.to_owned() }
     }
 }

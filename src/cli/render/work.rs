@@ -21,7 +21,7 @@ use crate::output::ImageWriter;
 use crate::output::origin::COMPARED;
 use crate::program::Layer;
 use crate::render::{
-    Earlier, Preview, RenderError, RenderSettings, Renderer, StartPart, StartUp, Totals, Watch, Window,
+    EarlierSamples, Preview, RenderError, RenderSettings, Renderer, StartPart, StartUp, Totals, Watch, Window,
 };
 use crate::scene::Scene;
 
@@ -81,7 +81,7 @@ impl Work<'_> {
     }
 
     /// Renders the unfinished targets. Returns the number of rays that could not be followed.
-    pub(super) fn render_all(&mut self, targets: &[Target], earlier: Option<&Earlier>) -> Result<u64, Error> {
+    pub(super) fn render_all(&mut self, targets: &[Target], earlier: Option<&EarlierSamples>) -> Result<u64, Error> {
         self.warn_beforehand();
         let (mut unfollowed, mut there) = (0, 0);
         let stage = (targets.len() > 1).then(|| screen::progress().counted(unit_of(targets), targets.len()));
@@ -109,7 +109,7 @@ impl Work<'_> {
     }
 
     /// Renders a target, if it is not finished yet. Returns the number of rays that could not be followed.
-    fn render(&mut self, target: Target, earlier: Option<&Earlier>) -> Result<Option<u64>, Error> {
+    fn render(&mut self, target: Target, earlier: Option<&EarlierSamples>) -> Result<Option<u64>, Error> {
         let begun = Instant::now();
         let Target { frame, band } = target;
         let scene = match frame {
@@ -260,7 +260,7 @@ fn render(
     renderer: &mut Renderer,
     writers: &mut [Box<dyn ImageWriter>],
     launch: &mut StartUp,
-    (earlier, preview): (Option<&Earlier>, Option<&PreviewFile>),
+    (earlier, preview): (Option<&EarlierSamples>, Option<&PreviewFile>),
 ) -> Result<Totals, RenderError> {
     let preview = preview.map(|preview| -> &dyn Preview { preview });
     renderer.render_watched(

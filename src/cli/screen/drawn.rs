@@ -17,13 +17,13 @@ const BAR: u64 = 1000;
 
 /// A terminal or a log, and the current state of the work.
 pub(in crate::cli) struct Screen {
-    kind: Kind,
+    kind: LineKind,
     /// The current stage: its number, start time, and rate estimate.
     stage: (u64, Duration, Estimate),
     advice: Option<String>,
 }
 
-enum Kind {
+enum LineKind {
     Terminal { target: Box<dyn Fn() -> ProgressDrawTarget + Send>, patience: Duration, line: Option<ProgressBar> },
     Log { every: Duration, next: Duration },
 }
@@ -31,15 +31,15 @@ enum Kind {
 impl Screen {
     /// Creates a display on a terminal, which draws nothing before `patience` has passed.
     pub fn terminal(target: impl Fn() -> ProgressDrawTarget + Send + 'static, patience: Duration) -> Self {
-        Self::of(Kind::Terminal { target: Box::new(target), patience, line: None })
+        Self::of(LineKind::Terminal { target: Box::new(target), patience, line: None })
     }
 
     /// Creates a display in a log, with one line per interval `every`.
     pub fn log(every: Duration) -> Self {
-        Self::of(Kind::Log { every, next: every })
+        Self::of(LineKind::Log { every, next: every })
     }
 
-    fn of(kind: Kind) -> Self {
+    fn of(kind: LineKind) -> Self {
         Self { kind, stage: (0, Duration::ZERO, Estimate::default()), advice: None }
     }
 
@@ -49,7 +49,7 @@ impl Screen {
 
     /// Removes the line from the terminal.
     pub fn clear(&mut self) {
-        if let Kind::Terminal { line, .. } = &mut self.kind
+        if let LineKind::Terminal { line, .. } = &mut self.kind
             && let Some(line) = line.take()
         {
             line.finish_and_clear();
@@ -76,17 +76,17 @@ impl Screen {
         }
         let time = time(taken, left);
         match &mut self.kind {
-            Kind::Terminal { target, patience, line } if now >= *patience => {
+            LineKind::Terminal { target, patience, line } if now >= *patience => {
                 let line = line.get_or_insert_with(|| ProgressBar::with_draw_target(Some(BAR), target()));
                 draw(line, state, time);
             }
-            Kind::Log { every, next } if now >= *next => {
+            LineKind::Log { every, next } if now >= *next => {
                 *next = now + *every;
                 let done = state.done.map(|done| format!("{:.0} % done", 100.0 * done));
                 let parts: Vec<String> = done.into_iter().chain(time).collect();
                 let _ = writeln!(out, "{}: {}", state.words, parts.join(", "));
             }
-            Kind::Terminal { .. } | Kind::Log { .. } => {}
+            LineKind::Terminal { .. } | LineKind::Log { .. } => {}
         }
     }
 }

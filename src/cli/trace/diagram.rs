@@ -9,7 +9,7 @@ use super::beams::Beam;
 use super::pairs::{Pairs, numbers, vector};
 use crate::error::Error;
 use crate::measure::{Curve, Focus, focus, windings};
-use crate::model::Landmark;
+use crate::model::CharacteristicSurface;
 use crate::output::plot::{CrossSection, PathLine, PathPlot, PlotRange, SurfaceKind, plot_paths};
 use crate::render::{PathPoint, Status};
 use crate::scene::{CutPlane, Scene};
@@ -217,7 +217,7 @@ fn surfaces(scene: &Scene, plane: &CutPlane) -> Vec<CrossSection> {
         let kind = if object.interior().is_some() { SurfaceKind::Medium } else { SurfaceKind::Opaque };
         CrossSection { kind, outlines: object.cut(plane) }
     });
-    let landmark = |landmark: Landmark| {
+    let landmark = |landmark: CharacteristicSurface| {
         let outline = landmark.cut(plane)?;
         let kind = if landmark.captures { SurfaceKind::Capture } else { SurfaceKind::Limit };
         Some(CrossSection { kind: kind(landmark.name), outlines: vec![outline] })

@@ -17,7 +17,7 @@ use std::sync::Arc;
 use glam::DVec3;
 
 use super::same::same;
-use super::{Binding, CameraFrame, Row, Same, row};
+use super::{Binding, DynEq, Observer, Row, row};
 use crate::document::reader::TableReader;
 use crate::document::{self, Kinds};
 
@@ -27,7 +27,7 @@ pub use panorama::Panorama;
 pub use pinhole::Pinhole;
 pub use plane::Plane;
 pub(crate) use read::read;
-pub use worldline::{Event, NoPath, Path, fall};
+pub use worldline::{Event, Path, WorldlineError, fall};
 
 /// Reads a camera; returns `None` after an error.
 type Read = fn(&TableReader) -> Option<Arc<dyn Projection>>;
@@ -44,7 +44,7 @@ pub static KINDS: Kinds<Read> = Kinds {
 };
 
 /// A projection, which maps a point of the image to a ray.
-pub trait Projection: fmt::Debug + Send + Sync + Same {
+pub trait Projection: fmt::Debug + Send + Sync + DynEq {
     /// Returns the WGSL module.
     fn part(&self) -> &'static str;
 
@@ -92,7 +92,7 @@ pub struct Camera {
     /// The projection.
     pub projection: Arc<dyn Projection>,
     /// The observer whose directions the camera uses.
-    pub frame: CameraFrame,
+    pub frame: Observer,
     /// The coordinate time t of the image.
     pub time: f64,
     /// Is `true` if the redshift changes the brightness of light.
@@ -129,7 +129,7 @@ impl Camera {
     pub fn looking(position: DVec3, at: DVec3, up: DVec3, projection: Arc<dyn Projection>) -> Option<Self> {
         let forward = (at - position).try_normalize()?;
         let right = forward.cross(up).try_normalize()?;
-        let frame = CameraFrame::Coordinate;
+        let frame = Observer::Coordinate;
         Some(Self {
             position,
             forward,

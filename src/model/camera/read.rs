@@ -2,24 +2,24 @@
 
 use glam::{DVec3, DVec4};
 
-use super::{Camera, Event, KINDS, NoPath, Path, Stereo, StereoLayout, fall};
+use super::{Camera, Event, KINDS, Path, Stereo, StereoLayout, WorldlineError, fall};
 use crate::document::reader::TableReader;
 use crate::document::values::{Read, boolean, direction, not_negative, number, positive, vector, word};
-use crate::document::{Fault, Node, Value};
+use crate::document::{Node, SpannedError, Value};
 use crate::model::law::OBSERVER_PART;
-use crate::model::{CameraFrame, Law, Order};
+use crate::model::{Law, Observer, Order};
 
 /// Reads the camera; returns `None` after an error. `size` is the size of the image in pixels.
 pub(crate) fn read(root: &TableReader, law: Option<&dyn Law>, size: [u32; 2]) -> Option<Camera> {
     let table = root.subtable("camera", "camera")?;
     let projection = KINDS.chosen(&table).and_then(|read| read(&table));
     let seat = seat(&table, law);
-    let frame = seat.as_ref().map_or(CameraFrame::Coordinate, |seat| seat.frame);
+    let frame = seat.as_ref().map_or(Observer::Coordinate, |seat| seat.frame);
     let look_at = table.or("look_at", DVec3::ZERO, vector);
     let up = table.or("up", DVec3::Y, direction);
     let shift = table.or("redshift", false, boolean);
     let hues = shift && table.or("color_shift", false, word(&[("kept", false), ("black-body", true)]));
-    if shift && law.is_some_and(|law| frame == CameraFrame::Coordinate || law.facts().momentum_parts.is_empty()) {
+    if shift && law.is_some_and(|law| frame == Observer::Coordinate || law.facts().momentum_parts.is_empty()) {
         let problem = "`redshift` requires an observer, and a law that defines the frequency of light";
         let help = "set `observer`, and use the law of a black hole or wormhole, or kind = \"metric\"";
         table.fault(&["redshift"], problem, help);
@@ -40,7 +40,7 @@ pub(crate) fn read(root: &TableReader, law: Option<&dyn Law>, size: [u32; 2]) ->
 /// The position, frame and time of the observer.
 struct Seat {
     position: DVec3,
-    frame: CameraFrame,
+    frame: Observer,
     time: f64,
 }
 
@@ -59,16 +59,16 @@ fn seat(table: &TableReader, law: Option<&dyn Law>) -> Option<Seat> {
     }
 }
 
-fn frame(table: &TableReader, law: Option<&dyn Law>) -> CameraFrame {
-    let frame = match table.or("observer", CameraFrame::Coordinate, word(&CameraFrame::WORDS)) {
-        CameraFrame::Boosted(_) => {
-            CameraFrame::Boosted(table.required("velocity", "[0.5, 0, 0]", slower_than_light).unwrap_or_default())
+fn frame(table: &TableReader, law: Option<&dyn Law>) -> Observer {
+    let frame = match table.or("observer", Observer::Coordinate, word(&Observer::WORDS)) {
+        Observer::Boosted(_) => {
+            Observer::Boosted(table.required("velocity", "[0.5, 0, 0]", slower_than_light).unwrap_or_default())
         }
         frame => frame,
     };
-    if frame != CameraFrame::Coordinate && law.is_some_and(|law| law.frame_part(frame).is_none()) {
+    if frame != Observer::Coordinate && law.is_some_and(|law| law.frame_part(frame).is_none()) {
         let (problem, help) = match frame {
-            CameraFrame::Static => (
+            Observer::Static => (
                 "observer = \"static\" requires the law of a black hole or a spacetime",
                 "remove `observer`; under other laws, the static and the coordinate frame are the same",
             ),
@@ -81,7 +81,7 @@ fn frame(table: &TableReader, law: Option<&dyn Law>) -> CameraFrame {
 
 /// Returns the state of a freely falling observer after the proper time `proper`.
 fn after_fall(table: &TableReader, seat: Seat, law: &dyn Law, proper: f64) -> Option<Seat> {
-    if seat.frame == CameraFrame::Coordinate {
+    if seat.frame == Observer::Coordinate {
         let help = "set `observer`, which defines the initial motion";
         table.fault(&["proper_time"], "`proper_time` requires an observer", help);
         return None;
@@ -92,7 +92,7 @@ fn after_fall(table: &TableReader, seat: Seat, law: &dyn Law, proper: f64) -> Op
     let Some(Ok(u)) = law.observer(seat.frame, seat.position) else { return Some(seat) };
     match fall(law, Event { x: seat.position, t: 0.0, u }, proper) {
         Ok(event) => {
-            let frame = CameraFrame::Boosted(event.velocity(law)?);
+            let frame = Observer::Boosted(event.velocity(law)?);
             Some(Seat { position: event.x, frame, time: seat.time + event.t })
         }
         Err(end) => {
@@ -125,15 +125,15 @@ fn on_worldline(table: &TableReader, node: &Node, law: Option<&dyn Law>) -> Opti
     }
     let (fault, help) = match Path::through(points).and_then(|path| path.after(law, proper)) {
         Ok(event) => {
-            let frame = CameraFrame::Boosted(event.velocity(law)?);
+            let frame = Observer::Boosted(event.velocity(law)?);
             return Some(Seat { position: event.x, frame, time: event.t });
         }
-        Err(NoPath::NotLater(i)) => (items[i].fault("this event is not later than the previous event", ""), ""),
-        Err(NoPath::TooFast(i)) => (
+        Err(WorldlineError::NotLater(i)) => (items[i].fault("this event is not later than the previous event", ""), ""),
+        Err(WorldlineError::TooFast(i)) => (
             items[i].fault("the observer would reach this event at the speed of light or faster", ""),
             "increase the time of this event",
         ),
-        Err(NoPath::Ends(end)) => {
+        Err(WorldlineError::Ends(end)) => {
             let node = table.node("proper_time").unwrap_or(node);
             (
                 node.fault(format!("the worldline ends at proper time {end:.6}"), ""),
@@ -141,7 +141,7 @@ fn on_worldline(table: &TableReader, node: &Node, law: Option<&dyn Law>) -> Opti
             )
         }
     };
-    table.reader.fault(Fault { help: help.to_owned(), ..fault });
+    table.reader.fault(SpannedError { help: help.to_owned(), ..fault });
     None
 }
 

@@ -130,7 +130,7 @@ pub struct Path(Vec<DVec4>);
 
 /// The reason why a path is not a valid worldline.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum NoPath {
+pub enum WorldlineError {
     /// The time does not increase to the point of this index.
     NotLater(usize),
     /// The path reaches the speed of light before the point of this index.
@@ -141,9 +141,9 @@ pub enum NoPath {
 
 impl Path {
     /// Creates the path through at least two points of x, y, z and t.
-    pub fn through(points: Vec<DVec4>) -> Result<Self, NoPath> {
+    pub fn through(points: Vec<DVec4>) -> Result<Self, WorldlineError> {
         match points.windows(2).position(|pair| pair[1].w <= pair[0].w) {
-            Some(i) => Err(NoPath::NotLater(i + 1)),
+            Some(i) => Err(WorldlineError::NotLater(i + 1)),
             None => Ok(Self(points)),
         }
     }
@@ -174,7 +174,7 @@ impl Path {
     }
 
     /// Returns the event after the proper time `proper`.
-    pub fn after(&self, law: &dyn Law, proper: f64) -> Result<Event, NoPath> {
+    pub fn after(&self, law: &dyn Law, proper: f64) -> Result<Event, WorldlineError> {
         /// The number of intervals per segment, each integrated with three-point Gauss quadrature.
         const PARTS: usize = 64;
         let mut s = 0.0;
@@ -185,7 +185,7 @@ impl Path {
                 let start = from + h * k as f64;
                 let spent = |until: f64| {
                     let (middle, half) = (start.midpoint(until), 0.5 * (until - start));
-                    let pace = |z: f64| self.pace(law, i, middle + z * half).ok_or(NoPath::TooFast(i + 1));
+                    let pace = |z: f64| self.pace(law, i, middle + z * half).ok_or(WorldlineError::TooFast(i + 1));
                     let out = 0.6_f64.sqrt();
                     Ok(half * (5.0 * (pace(-out)? + pace(out)?) + 8.0 * pace(0.0)?) / 9.0)
                 };
@@ -197,12 +197,12 @@ impl Path {
                         *(if s + spent(middle)? < proper { &mut early } else { &mut late }) = middle;
                     }
                     let (x, v) = self.at(i, late);
-                    let pace = self.pace(law, i, late).ok_or(NoPath::TooFast(i + 1))?;
+                    let pace = self.pace(law, i, late).ok_or(WorldlineError::TooFast(i + 1))?;
                     return Ok(Event { x, t: late, u: v.extend(1.0) / pace });
                 }
                 s += part;
             }
         }
-        Err(NoPath::Ends(s))
+        Err(WorldlineError::Ends(s))
     }
 }

@@ -1,11 +1,11 @@
 //! Step-size control by the ray's curvature: every step turns it through the same angle (G95 Fig. 6b), up to the cap.
 
-use super::{Control, Kind, falling};
+use super::{Control, ControlKind, falling};
 use crate::document::keys;
 use crate::model::row;
 
 /// The description of this control.
-pub static KIND: Kind = Kind {
+pub static KIND: ControlKind = ControlKind {
     name: "curvature",
     keys: keys! {
         curvature_step (" (the others choose their steps)"): "number above 0" = "none",
@@ -18,7 +18,7 @@ pub static KIND: Kind = Kind {
     from_file: f64::to_radians,
     usual: |_, refined| with(0.1 * 0.5_f64.powi(refined), 0.2 * 0.5_f64.powi(refined)),
     has_chooser: true,
-    ..Kind::EXACT
+    ..ControlKind::EXACT
 };
 
 /// Returns the control whose steps turn the ray by `turn` radians and are at most `cap` times the law's length scale.

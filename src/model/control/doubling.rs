@@ -3,7 +3,7 @@
 //! W04 adjusts only the next step, by two thresholds, and accepts a step with too large a difference. `REJECTING` repeats such a step with
 //! a shorter h.
 
-use super::{Control, Kind, falling};
+use super::{Control, ControlKind, falling};
 use crate::document::reader::TableReader;
 use crate::document::values::{positive, word};
 use crate::document::{Key, keys};
@@ -26,7 +26,7 @@ const KEYS: &[Key] = &[
 ];
 
 /// The control that repeats a step over the tolerance with a shorter h.
-pub static REJECTING: Kind = Kind {
+pub static REJECTING: ControlKind = ControlKind {
     name: "rejecting",
     keys: KEYS,
     parts: &["method/control/doubling"],
@@ -37,11 +37,11 @@ pub static REJECTING: Kind = Kind {
     rejects: true,
     has_tolerance: true,
     read,
-    ..Kind::EXACT
+    ..ControlKind::EXACT
 };
 
 /// The control with two thresholds that adjusts only the next step (W04 §4.2).
-pub static PAPER: Kind = Kind { name: "paper", remark: " (paper)", keeps_errors: true, ..REJECTING };
+pub static PAPER: ControlKind = ControlKind { name: "paper", remark: " (paper)", keeps_errors: true, ..REJECTING };
 
 fn values(control: &Control) -> Row {
     row! { tolerance: Float(control.setting), grow_below: Float(control.grow_below), eta: Float(control.cap) }
@@ -53,13 +53,13 @@ fn usual(control: &Control, refined: i32) -> Control {
 
 /// Returns the control with a tolerance; steps grow while the difference is below a tenth of it.
 #[must_use]
-pub fn with(kind: &'static Kind, tolerance: f64, cap: f64) -> Control {
+pub fn with(kind: &'static ControlKind, tolerance: f64, cap: f64) -> Control {
     Control { grow_below: 0.1 * tolerance, ..Control::new(kind, tolerance, cap) }
 }
 
 /// Returns the settings of a chart, from a tolerance of 0.1 downwards by half orders of magnitude.
 #[must_use]
-pub fn sweep(kind: &'static Kind, count: i32) -> Vec<Control> {
+pub fn sweep(kind: &'static ControlKind, count: i32) -> Vec<Control> {
     falling(0.1, 0.316_227_766, count).map(|tolerance| with(kind, tolerance, 0.3)).collect()
 }
 

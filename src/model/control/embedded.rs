@@ -2,13 +2,13 @@
 
 use super::doubling::TOLERANCE;
 use super::scaled::SCALED_STEP;
-use super::{Control, Kind, falling};
+use super::{Control, ControlKind, falling};
 use crate::document::reader::TableReader;
 use crate::document::values::positive;
 use crate::model::row;
 
 /// The description of this control.
-pub static KIND: Kind = Kind {
+pub static KIND: ControlKind = ControlKind {
     name: "embedded",
     keys: &[TOLERANCE, SCALED_STEP],
     parts: &["method/control/embedded"],
@@ -20,7 +20,7 @@ pub static KIND: Kind = Kind {
     rejects: true,
     has_tolerance: true,
     read,
-    ..Kind::EXACT
+    ..ControlKind::EXACT
 };
 
 /// Returns the control with a tolerance; steps are at most `cap` times the law's length scale.

@@ -1,11 +1,11 @@
 //! Steps of a fixed size h, or of η · scale where this is shorter.
 
-use super::Kind;
+use super::ControlKind;
 use crate::document::keys;
 use crate::model::row;
 
 /// The description of this control.
-pub static KIND: Kind = Kind {
+pub static KIND: ControlKind = ControlKind {
     name: "fixed",
     keys: keys! {
         step (" (the others choose their steps)"): "number above 0" = "none",
@@ -14,5 +14,5 @@ pub static KIND: Kind = Kind {
     parts: &["method/control/planned", "method/control/fixed"],
     values: |control| row! { step: Float(control.setting), eta: Float(control.cap) },
     has_chooser: true,
-    ..Kind::EXACT
+    ..ControlKind::EXACT
 };

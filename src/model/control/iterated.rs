@@ -1,11 +1,11 @@
 //! Steps of an iteration: each has the size that the scene specifies, whatever the law's length scale.
 
-use super::{Control, Kind, fixed};
+use super::{Control, ControlKind, fixed};
 use crate::document::values::positive;
 use crate::model::row;
 
 /// The description of this control; a scene must specify the step.
-pub static KIND: Kind = Kind {
+pub static KIND: ControlKind = ControlKind {
     name: "iterated",
     parts: &["method/control/iterated"],
     values: |control| row! { step: Float(control.setting) },

@@ -23,13 +23,13 @@ use crate::document::reader::TableReader;
 use crate::document::values::positive;
 
 /// The controls that know a step before it is taken; the first is the default.
-pub const PLANNED: [&Kind; 3] = [&scaled::KIND, &fixed::KIND, &curvature::KIND];
+pub const PLANNED: [&ControlKind; 3] = [&scaled::KIND, &fixed::KIND, &curvature::KIND];
 /// The planned controls, and step doubling under a separate name.
-pub const PLANNED_OR_DOUBLED: [&Kind; 4] = [PLANNED[0], PLANNED[1], PLANNED[2], &doubling::REJECTING];
+pub const PLANNED_OR_DOUBLED: [&ControlKind; 4] = [PLANNED[0], PLANNED[1], PLANNED[2], &doubling::REJECTING];
 
 /// The description of a kind of step-size control.
 #[allow(clippy::struct_excessive_bools)] // facts, each by itself
-pub struct Kind {
+pub struct ControlKind {
     /// The name.
     pub name: &'static str,
     /// The keys that the control reads.
@@ -66,7 +66,7 @@ pub struct Kind {
     pub(crate) read: fn(&TableReader) -> Control,
 }
 
-impl Kind {
+impl ControlKind {
     /// The description of no control, which supplies the defaults of the other kinds.
     pub const EXACT: Self = Self {
         name: "exact",
@@ -93,7 +93,7 @@ impl Kind {
 #[derive(Clone, Copy, PartialEq)]
 pub struct Control {
     /// The kind of control.
-    pub kind: &'static Kind,
+    pub kind: &'static ControlKind,
     /// The number that a chart sweeps: a step in τ, an angle in radians, η, or a tolerance.
     pub setting: f64,
     /// η, the largest step in units of the law's length scale; infinite if the scale does not limit steps.
@@ -105,7 +105,7 @@ pub struct Control {
 impl Control {
     /// Creates a control from its kind, setting and cap.
     #[must_use]
-    pub const fn new(kind: &'static Kind, setting: f64, cap: f64) -> Self {
+    pub const fn new(kind: &'static ControlKind, setting: f64, cap: f64) -> Self {
         Self { kind, setting, cap, grow_below: 0.0 }
     }
 
@@ -167,7 +167,7 @@ impl Control {
     }
 }
 
-named!(Kind);
+named!(ControlKind);
 
 impl fmt::Debug for Control {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -197,8 +197,8 @@ pub(super) fn quoted(word: &str) -> String {
 }
 
 /// Reads the control that a `[rays]` table selects, with its setting; defaults to the first if no key selects another.
-pub(super) fn read(controls: &[&'static Kind], table: &TableReader) -> Control {
-    let chosen_by = |kind: &&'static Kind| kind.has_chooser.then(|| kind.keys[0].key);
+pub(super) fn read(controls: &[&'static ControlKind], table: &TableReader) -> Control {
+    let chosen_by = |kind: &&'static ControlKind| kind.has_chooser.then(|| kind.keys[0].key);
     let keys: Vec<&'static str> = controls.iter().filter_map(chosen_by).collect();
     let given = table.one_of(&keys);
     let value = given.and_then(|(key, node)| Some((key, table.reader.accept(positive(node))?)));

@@ -1,6 +1,6 @@
 //! Steps h = η · scale, a fixed fraction of the law's length scale.
 
-use super::{Control, Kind, falling};
+use super::{Control, ControlKind, falling};
 use crate::document::reader::TableReader;
 use crate::document::values::positive;
 use crate::document::{Key, keys};
@@ -13,7 +13,7 @@ pub const SCALED_STEP: Key = keys! {
 }[0];
 
 /// The description of this control.
-pub static KIND: Kind = Kind {
+pub static KIND: ControlKind = ControlKind {
     name: "scaled",
     keys: &[SCALED_STEP],
     parts: &["method/control/planned", "method/control/scaled"],
@@ -21,7 +21,7 @@ pub static KIND: Kind = Kind {
     usual: |_, refined| with(0.1 * 0.5_f64.powi(refined)),
     divides: true,
     read,
-    ..Kind::EXACT
+    ..ControlKind::EXACT
 };
 
 /// Returns the control with h = η · scale.

@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 
 use glam::DVec3;
 
-use super::{CORNERS, Outline, OwnPlane};
+use super::{CORNERS, LocalPlane, Outline};
 
 /// Half the side of a square that covers the cross section of the unit cube with any plane.
 const COVER: f64 = 4.0;
@@ -15,13 +15,13 @@ pub(in crate::model) const ON: f64 = 1e-9;
 
 /// Returns the cross section of the cube |x|, |y|, |z| ≤ 1 with a plane: a square in the plane, clipped by the six half-spaces of the cube.
 /// Unlike the intersection with the cube's edges, this also works if the plane contains an edge or a face.
-pub(in crate::model) fn cuboid(plane: OwnPlane) -> Option<Outline> {
+pub(in crate::model) fn cuboid(plane: LocalPlane) -> Option<Outline> {
     cut_by(plane, &[DVec3::X, DVec3::NEG_X, DVec3::Y, DVec3::NEG_Y, DVec3::Z, DVec3::NEG_Z])
 }
 
 /// Returns the cross section of the cylinder |y| ≤ 1, x² + z² ≤ 1 with a plane by clipping; the mantle is approximated by as many flat
 /// strips as an ellipse has corners.
-pub(in crate::model) fn cylinder(plane: OwnPlane) -> Option<Outline> {
+pub(in crate::model) fn cylinder(plane: LocalPlane) -> Option<Outline> {
     let strips = (0..CORNERS).map(|i| {
         let (sin, cos) = (TAU * f64::from(i) / f64::from(CORNERS)).sin_cos();
         DVec3::new(cos, 0.0, sin)
@@ -31,7 +31,7 @@ pub(in crate::model) fn cylinder(plane: OwnPlane) -> Option<Outline> {
 }
 
 /// Returns the part of a plane within distance 1 of the origin along each of these normals.
-fn cut_by(plane: OwnPlane, normals: &[DVec3]) -> Option<Outline> {
+fn cut_by(plane: LocalPlane, normals: &[DVec3]) -> Option<Outline> {
     let foot = plane.normal * plane.offset;
     if foot.length() > COVER / 2.0 {
         return None;
@@ -63,7 +63,7 @@ fn clipped(polygon: &[DVec3], inside: impl Fn(DVec3) -> f64) -> Vec<DVec3> {
 }
 
 /// Returns the line in which the square |x|, |z| ≤ 1, y = 0 crosses a plane, or the edge of the square if it is in the plane.
-pub(in crate::model) fn square(plane: OwnPlane) -> Option<Outline> {
+pub(in crate::model) fn square(plane: LocalPlane) -> Option<Outline> {
     let slope = DVec3::new(plane.normal.x, 0.0, plane.normal.z);
     if slope.length() <= PARALLEL {
         let corners = [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]].map(|[x, z]| DVec3::new(x, 0.0, z));

@@ -4,7 +4,7 @@ use std::collections::HashMap;
 
 use glam::{DVec3, Vec3};
 
-use super::{Outline, OwnPlane};
+use super::{LocalPlane, Outline};
 use crate::assets::Mesh;
 
 /// An edge of the mesh, by the positions of its ends; equal for both triangles of the edge.
@@ -15,7 +15,7 @@ type Segment = [Edge; 2];
 
 /// Returns the lines in which a mesh crosses a plane; they are closed if its surface is closed. For every triangle, a vertex in the plane
 /// counts as in front of it, so that lines do not break there.
-pub(in crate::model) fn cut(mesh: &Mesh, plane: OwnPlane) -> Vec<Outline> {
+pub(in crate::model) fn cut(mesh: &Mesh, plane: LocalPlane) -> Vec<Outline> {
     let height = |p: Vec3| plane.normal.dot(p.as_dvec3()) - plane.offset;
     let crossing = |a: Vec3, b: Vec3| ((height(a) < 0.0) != (height(b) < 0.0)).then(|| edge(a, b));
     let segments: Vec<Segment> = mesh

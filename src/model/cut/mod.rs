@@ -33,14 +33,14 @@ pub struct Outline {
 
 /// A plane n · y = d in the object space of a shape.
 #[derive(Debug, Clone, Copy)]
-pub struct OwnPlane {
+pub struct LocalPlane {
     /// The unit normal n.
     pub normal: DVec3,
     /// The offset d from the origin.
     pub offset: f64,
 }
 
-impl OwnPlane {
+impl LocalPlane {
     /// Returns the scene's plane n · (x − p) = 0 under x = M y + t, which is Mᵀn · y = n · (p − t).
     pub(super) fn of(plane: &CutPlane, transposed: glam::DMat3, translation: DVec3) -> Option<Self> {
         let normal = transposed * plane.normal();

@@ -1,9 +1,9 @@
 //! The fall-off d(r) = 2r³/R³ − 3r²/R² + 1 inside R, and 0 outside, with local range (G95 after Wyvill, W04 §5.2).
 
-use super::Kind;
+use super::FalloffKind;
 use crate::document::keys;
 
-pub static KIND: Kind = Kind {
+pub static KIND: FalloffKind = FalloffKind {
     name: "cubic",
     parameter: Some((
         "radius",

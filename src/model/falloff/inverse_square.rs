@@ -1,8 +1,8 @@
 //! The fall-off d(r) = 1/r², which is singular at the source.
 
-use super::Kind;
+use super::FalloffKind;
 
-pub static KIND: Kind = Kind {
+pub static KIND: FalloffKind = FalloffKind {
     name: "inverse-square",
     parameter: None,
     wgsl: "inverse_square",

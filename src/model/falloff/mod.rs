@@ -16,10 +16,10 @@ use crate::document::values::positive;
 use crate::document::{Key, KeyReference, Node, Value as Written};
 
 /// The list of all kinds; the first is the default.
-pub const FALLOFFS: [&Kind; 3] = [&inverse_square::KIND, &cubic::KIND, &yukawa::KIND];
+pub const FALLOFFS: [&FalloffKind; 3] = [&inverse_square::KIND, &cubic::KIND, &yukawa::KIND];
 
 /// The description of a kind of fall-off.
-pub struct Kind {
+pub struct FalloffKind {
     /// The name in a scene file.
     pub name: &'static str,
     /// The name and key of the length or rate, if the kind has one, as a member of its sources in WGSL; a scene file then writes `{ name =
@@ -41,7 +41,7 @@ pub struct Kind {
 #[derive(Clone, Copy, PartialEq)]
 pub struct Falloff {
     /// The kind of fall-off.
-    pub kind: &'static Kind,
+    pub kind: &'static FalloffKind,
     /// The length or rate; 0 if the kind has none.
     pub parameter: f64,
 }
@@ -75,7 +75,7 @@ impl Falloff {
     }
 }
 
-named!(Kind);
+named!(FalloffKind);
 
 impl fmt::Debug for Falloff {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -85,9 +85,10 @@ impl fmt::Debug for Falloff {
 
 /// Reads a fall-off from a node of `table`.
 pub(crate) fn read(table: &TableReader, node: &Node) -> Option<Falloff> {
-    let (words, tables): (Vec<&Kind>, Vec<&Kind>) = FALLOFFS.into_iter().partition(|kind| kind.parameter.is_none());
+    let (words, tables): (Vec<&FalloffKind>, Vec<&FalloffKind>) =
+        FALLOFFS.into_iter().partition(|kind| kind.parameter.is_none());
     let written: Vec<String> = words.iter().map(|kind| format!("\"{}\"", kind.name)).collect();
-    let braces = |kind: &&Kind| Some(format!("{{ {} = {} }}", kind.name, kind.parameter?.1.value));
+    let braces = |kind: &&FalloffKind| Some(format!("{{ {} = {} }}", kind.name, kind.parameter?.1.value));
     let all: Vec<String> = written.into_iter().chain(tables.iter().filter_map(braces)).collect();
     let choices = match all.as_slice() {
         [most @ .., last] if !most.is_empty() => format!("{} or {last}", most.join(", ")),

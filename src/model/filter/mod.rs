@@ -15,7 +15,7 @@ use super::{Row, row};
 use crate::assets::Formula;
 
 pub(crate) use read::{read, reference};
-pub use texture::{Look, Texture};
+pub use texture::{NoiseColoring, Texture};
 
 /// The absorption and emission of a medium.
 #[derive(Debug, Clone, PartialEq)]
@@ -92,7 +92,7 @@ impl Filter {
     /// Returns `true` if the density is discontinuous.
     #[must_use]
     pub fn jumps(&self) -> bool {
-        self.texture().is_some_and(|texture| matches!(texture.look, Look::Wrapped(..)))
+        self.texture().is_some_and(|texture| matches!(texture.look, NoiseColoring::Wrapped(..)))
     }
 
     /// Returns the members of its `Filter` in WGSL; `formulas` is the index of its formulas.

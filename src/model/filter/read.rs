@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-use super::{Density, Filter, Look, Texture, density_of};
+use super::{Density, Filter, NoiseColoring, Texture, density_of};
 use crate::assets::{Files, Formula};
 use crate::document::reader::TableReader;
 use crate::document::values::{
@@ -144,12 +144,12 @@ fn texture(table: &TableReader, files: &mut Files) -> Option<Texture> {
     let octaves = table.or("octaves", 4, whole(1..=8));
     let seed = table.or("seed", 0, whole(0..=u32::MAX));
     let look = match kind? {
-        0 => Look::Mix(two(table)?),
+        0 => NoiseColoring::Mix(two(table)?),
         1 => {
             let times = table.or("times", 5.0, positive);
-            Look::Wrapped(two(table)?, times)
+            NoiseColoring::Wrapped(two(table)?, times)
         }
-        2 => Look::Rainbow,
+        2 => NoiseColoring::Rainbow,
         _ => ramp(table, files)?,
     };
     Some(Texture { look, frequency: frequency?, octaves, seed })
@@ -161,10 +161,13 @@ fn two(table: &TableReader) -> Option<[DVec3; 2]> {
     Some([low?, high?])
 }
 
-fn ramp(table: &TableReader, files: &mut Files) -> Option<Look> {
+fn ramp(table: &TableReader, files: &mut Files) -> Option<NoiseColoring> {
     let node = table.required_node("ramp", "\"ramp.png\"")?;
     let axis = table.optional("axis", direction);
     let turbulence = axis.map(|_| table.or("turbulence", 3.0, number));
     let picture = files.picture(table.reader, node)?;
-    Some(axis.zip(turbulence).map_or(Look::Ramp(picture), |(axis, part)| Look::Marble(picture, axis, part)))
+    Some(
+        axis.zip(turbulence)
+            .map_or(NoiseColoring::Ramp(picture), |(axis, part)| NoiseColoring::Marble(picture, axis, part)),
+    )
 }

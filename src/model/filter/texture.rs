@@ -8,7 +8,7 @@ use crate::model::{Row, row};
 #[derive(Debug, Clone, PartialEq)]
 pub struct Texture {
     /// The color map of the noise.
-    pub look: Look,
+    pub look: NoiseColoring,
     /// The number of lattice cells per unit length; for marble also of waves, each of length 2π.
     pub frequency: f64,
     /// The number of octaves of the noise, 1 to 8.
@@ -19,7 +19,7 @@ pub struct Texture {
 
 /// The color map of noise from 0 to 1.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Look {
+pub enum NoiseColoring {
     /// A mix of two colors.
     Mix([DVec3; 2]),
     /// A mix of two colors that repeats as often as this number.
@@ -37,11 +37,11 @@ impl Texture {
     #[must_use]
     pub fn kind(&self) -> &'static str {
         match self.look {
-            Look::Mix(_) => "mix",
-            Look::Wrapped(..) => "wrapped",
-            Look::Rainbow => "rainbow",
-            Look::Ramp(_) => "ramp",
-            Look::Marble(..) => "marble",
+            NoiseColoring::Mix(_) => "mix",
+            NoiseColoring::Wrapped(..) => "wrapped",
+            NoiseColoring::Rainbow => "rainbow",
+            NoiseColoring::Ramp(_) => "ramp",
+            NoiseColoring::Marble(..) => "marble",
         }
     }
 
@@ -54,11 +54,13 @@ impl Texture {
     #[must_use]
     pub fn values(&self) -> Row {
         let own = match self.look {
-            Look::Mix([low, high]) => row! { color: Vec3(low), high: Vec3(high) },
-            Look::Wrapped([low, high], times) => row! { color: Vec3(low), high: Vec3(high), times: Float(times) },
-            Look::Rainbow => Row::new(),
-            Look::Ramp(picture) => row! { which: Uint(picture as u32) },
-            Look::Marble(picture, axis, part) => {
+            NoiseColoring::Mix([low, high]) => row! { color: Vec3(low), high: Vec3(high) },
+            NoiseColoring::Wrapped([low, high], times) => {
+                row! { color: Vec3(low), high: Vec3(high), times: Float(times) }
+            }
+            NoiseColoring::Rainbow => Row::new(),
+            NoiseColoring::Ramp(picture) => row! { which: Uint(picture as u32) },
+            NoiseColoring::Marble(picture, axis, part) => {
                 row! { which: Uint(picture as u32), axis: Vec3(axis), times: Float(part) }
             }
         };

@@ -6,7 +6,7 @@
 use glam::{DMat4, DVec3, DVec4};
 
 use super::observer::{four_velocity, spherical};
-use super::{CameraFrame, Facts, Invariant, Landmark, Law, OBSERVER_PART, Orbit, OrbitForm, Order};
+use super::{CharacteristicSurface, Facts, Invariant, Law, OBSERVER_PART, Observer, Orbit, OrbitForm, Order};
 use crate::model::halved::halved;
 use crate::model::{Anchor, Binding, Capture, Value, Wgsl, row};
 
@@ -155,8 +155,8 @@ impl Law for RoundHole {
         ]
     }
 
-    fn landmarks(&self) -> Vec<Landmark> {
-        let horizon = |radius| Landmark::sphere("horizon", self.center, radius, true);
+    fn landmarks(&self) -> Vec<CharacteristicSurface> {
+        let horizon = |radius| CharacteristicSurface::sphere("horizon", self.center, radius, true);
         self.horizon().map(horizon).into_iter().collect()
     }
 
@@ -167,10 +167,10 @@ impl Law for RoundHole {
         self.horizon().is_none().then(remark)
     }
 
-    fn frame_part(&self, frame: CameraFrame) -> Option<&'static str> {
+    fn frame_part(&self, frame: Observer) -> Option<&'static str> {
         match (frame, self.form) {
-            (CameraFrame::Coordinate, _) => None,
-            (CameraFrame::Static, HoleForm::Path | HoleForm::Geodesic) => Some("camera/frame_static"),
+            (Observer::Coordinate, _) => None,
+            (Observer::Static, HoleForm::Path | HoleForm::Geodesic) => Some("camera/frame_static"),
             _ => Some(OBSERVER_PART),
         }
     }
@@ -186,20 +186,20 @@ impl Law for RoundHole {
     }
 
     /// Without spin a static observer has no angular momentum, and is also an Eulerian observer.
-    fn observer(&self, frame: CameraFrame, at: DVec3) -> Option<Result<DVec4, [String; 2]>> {
+    fn observer(&self, frame: Observer, at: DVec3) -> Option<Result<DVec4, [String; 2]>> {
         let offset = at - self.center;
         let found = match frame {
-            CameraFrame::Coordinate => return None,
-            CameraFrame::Infalling => self.falling(offset),
+            Observer::Coordinate => return None,
+            Observer::Infalling => self.falling(offset),
             _ => {
-                let as_static = matches!(frame, CameraFrame::Eulerian | CameraFrame::Zamo);
-                let frame = if as_static { CameraFrame::Static } else { frame };
+                let as_static = matches!(frame, Observer::Eulerian | Observer::Zamo);
+                let frame = if as_static { Observer::Static } else { frame };
                 let orbiting = |sense: f64| Some(sense * self.orbiting(offset)?);
                 four_velocity(&self.metric(at, 0.0)?, frame, self.axis.cross(offset), &orbiting)
             }
         };
         Some(found.ok_or_else(|| match frame {
-            CameraFrame::ProgradeOrbit | CameraFrame::RetrogradeOrbit => {
+            Observer::ProgradeOrbit | Observer::RetrogradeOrbit => {
                 let beyond = self.photon_sphere().unwrap_or(0.0);
                 let help = format!(
                     "circular orbits are in the plane through the black hole perpendicular to \
@@ -207,7 +207,7 @@ impl Law for RoundHole {
                 );
                 ["is not on a circular orbit".to_owned(), help]
             }
-            CameraFrame::Infalling => {
+            Observer::Infalling => {
                 let help = "charge or Λ turns infalling observers back before this position; use observer = \
                             \"boosted\" and camera.velocity";
                 ["is where no observer can have fallen from rest", help].map(str::to_owned)

@@ -15,7 +15,7 @@ use std::sync::Arc;
 use glam::{DMat4, DVec3, DVec4};
 
 use super::observer::{four_velocity, light_speed};
-use super::{CameraFrame, Facts, Invariant, Kind, Landmark, Law, Orbit, OrbitForm, Order};
+use super::{CharacteristicSurface, Facts, Invariant, Kind, Law, Observer, Orbit, OrbitForm, Order};
 use crate::document::keys;
 use crate::document::values::{direction, number, positive, vector};
 use crate::model::halved::halved;
@@ -241,10 +241,10 @@ impl Law for KerrNewman {
     }
 
     /// Returns the horizon and the ergosphere r = M + √(M² − Q² − a² cos²θ), inside which nothing can be static.
-    fn landmarks(&self) -> Vec<Landmark> {
+    fn landmarks(&self) -> Vec<CharacteristicSurface> {
         let Some(horizon) = self.horizon() else { return Vec::new() };
         if self.spin == 0.0 {
-            return vec![Landmark::sphere("horizon", self.center, horizon, true)];
+            return vec![CharacteristicSurface::sphere("horizon", self.center, horizon, true)];
         }
         let Self { mass, spin, axis, charge, center } = *self;
         let within = move |x: DVec3, edge: &dyn Fn(f64) -> f64| {
@@ -254,7 +254,7 @@ impl Law for KerrNewman {
         };
         let left = mass * mass - charge * charge;
         let ergosphere = move |cos2: f64| mass + (left - spin * spin * cos2).max(0.0).sqrt();
-        let landmark = |name, r: f64, captures, inside| Landmark {
+        let landmark = |name, r: f64, captures, inside| CharacteristicSurface {
             name,
             center,
             radius: r.hypot(spin),
@@ -291,19 +291,19 @@ impl Law for KerrNewman {
         self.at(x).r
     }
 
-    fn observer(&self, frame: CameraFrame, at: DVec3) -> Option<Result<DVec4, [String; 2]>> {
+    fn observer(&self, frame: Observer, at: DVec3) -> Option<Result<DVec4, [String; 2]>> {
         let found = match frame {
-            CameraFrame::Coordinate => return None,
-            CameraFrame::Infalling => self.falling(at),
+            Observer::Coordinate => return None,
+            Observer::Infalling => self.falling(at),
             _ => {
                 let around = self.axis.cross(at - self.center);
                 four_velocity(&self.metric(at, 0.0)?, frame, around, &|sense| self.orbiting(at, sense))
             }
         };
         Some(found.ok_or_else(|| match frame {
-            CameraFrame::Static => self.says_static(),
-            CameraFrame::ProgradeOrbit => self.says_orbiting(1.0),
-            CameraFrame::RetrogradeOrbit => self.says_orbiting(-1.0),
+            Observer::Static => self.says_static(),
+            Observer::ProgradeOrbit => self.says_orbiting(1.0),
+            Observer::RetrogradeOrbit => self.says_orbiting(-1.0),
             _ => ["is where this observer cannot exist", "move it away from the black hole"].map(str::to_owned),
         }))
     }

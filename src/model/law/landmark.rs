@@ -8,7 +8,7 @@ use crate::model::cut::{CutPlane, Outline, sphere_in_plane, star_in_plane};
 
 /// A closed surface of a law that is not an object.
 #[derive(Clone)]
-pub struct Landmark {
+pub struct CharacteristicSurface {
     /// The name in a legend.
     pub name: &'static str,
     /// The center.
@@ -21,7 +21,7 @@ pub struct Landmark {
     pub inside: Option<Arc<dyn Fn(DVec3) -> bool>>,
 }
 
-impl Landmark {
+impl CharacteristicSurface {
     /// Creates a sphere.
     #[must_use]
     pub fn sphere(name: &'static str, center: DVec3, radius: f64, captures: bool) -> Self {

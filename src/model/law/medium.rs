@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use glam::DVec3;
 
-use super::{Facts, Form, Invariant, Kind, Landmark, Law};
+use super::{CharacteristicSurface, Facts, Form, Invariant, Kind, Law};
 use crate::document::keys;
 use crate::model::medium::{self, Surroundings};
 use crate::model::{Medium, Wgsl};
@@ -54,8 +54,8 @@ impl Law for InMedium {
         self.0.index(x).map(ratio).into_iter().collect()
     }
 
-    fn landmarks(&self) -> Vec<Landmark> {
-        let edge = |(center, radius)| Landmark::sphere("r = R", center, radius, false);
+    fn landmarks(&self) -> Vec<CharacteristicSurface> {
+        let edge = |(center, radius)| CharacteristicSurface::sphere("r = R", center, radius, false);
         self.0.facts().edge.map(edge).into_iter().collect()
     }
 

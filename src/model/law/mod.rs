@@ -35,7 +35,7 @@ use std::sync::Arc;
 use glam::{DMat3, DMat4, DVec3, DVec4};
 
 use super::same::same;
-use super::{Anchor, Binding, Capture, ClosedForm, Filter, Medium, Same, Wgsl, filter};
+use super::{Anchor, Binding, Capture, ClosedForm, DynEq, Filter, Medium, Wgsl, filter};
 use crate::assets::{Files, LineElement};
 use crate::document::reader::TableReader;
 use crate::document::{self, Kinds};
@@ -43,13 +43,13 @@ use crate::document::{self, Kinds};
 pub use flow::FlowOrder;
 pub use hole::{HoleForm, RoundHole};
 pub use kerr_newman::{KerrNewman, KerrSchild};
-pub use landmark::Landmark;
+pub use landmark::CharacteristicSurface;
 pub use lorenz::Lorenz;
 pub use medium::{InMedium, SOLVED_PARTS};
 pub use metric::Metric;
-pub use observer::{CameraFrame, OBSERVER_PART};
+pub use observer::{OBSERVER_PART, Observer};
 pub use orbit::{Orbit, OrbitForm, Throat};
-pub use own::{Depends, OwnLaw};
+pub use own::{CustomLaw, Depends};
 pub use parametric::Parametric;
 pub use rossler::Rossler;
 pub use sources::{ByLength, Sources};
@@ -235,7 +235,7 @@ impl<'a> Facts<'a> {
 }
 
 /// A law, which defines how light propagates.
-pub trait Law: fmt::Debug + Send + Sync + Same {
+pub trait Law: fmt::Debug + Send + Sync + DynEq {
     /// Returns the WGSL modules that implement the contract.
     fn parts(&self) -> Vec<Wgsl>;
 
@@ -269,7 +269,7 @@ pub trait Law: fmt::Debug + Send + Sync + Same {
     }
 
     /// Returns the spheres that a diagram shows: horizons, capture spheres, edges.
-    fn landmarks(&self) -> Vec<Landmark> {
+    fn landmarks(&self) -> Vec<CharacteristicSurface> {
         self.facts().throat.map_or_else(Vec::new, |throat| throat.landmarks())
     }
 
@@ -294,17 +294,17 @@ pub trait Law: fmt::Debug + Send + Sync + Same {
 
     /// Returns the four-velocity of an observer at a position, or `None` under laws without such observers. An error contains the text that
     /// follows the camera's name in the message, and the remedy.
-    fn observer(&self, frame: CameraFrame, at: DVec3) -> Option<Result<DVec4, [String; 2]>> {
+    fn observer(&self, frame: Observer, at: DVec3) -> Option<Result<DVec4, [String; 2]>> {
         let _ = (frame, at);
         None
     }
 
     /// Returns the module for the directions of an observer; `None` for coordinate directions and under laws without such observers.
-    fn frame_part(&self, frame: CameraFrame) -> Option<&'static str> {
+    fn frame_part(&self, frame: Observer) -> Option<&'static str> {
         self.observer(frame, DVec3::ZERO).map(|_| OBSERVER_PART)
     }
 
-    /// Returns the center and the axis of the matter on [`CameraFrame::ProgradeOrbit`], if matter can orbit.
+    /// Returns the center and the axis of the matter on [`Observer::ProgradeOrbit`], if matter can orbit.
     fn equator(&self) -> Option<[DVec3; 2]> {
         None
     }

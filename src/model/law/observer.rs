@@ -9,7 +9,7 @@ pub const OBSERVER_PART: &str = "camera/frame_observer";
 
 /// The observer whose unit directions the camera uses, under laws for which observers differ.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum CameraFrame {
+pub enum Observer {
     /// Coordinate directions (W04 §5.4).
     Coordinate,
     /// A static observer.
@@ -29,7 +29,7 @@ pub enum CameraFrame {
     Boosted(DVec3),
 }
 
-impl CameraFrame {
+impl Observer {
     /// The names in a scene file.
     pub const WORDS: [(&'static str, Self); 8] = [
         ("coordinate", Self::Coordinate),
@@ -84,29 +84,29 @@ pub(super) fn spherical(n: DVec3, along: f64, across: f64, clock: f64) -> DMat4 
 /// law can compute. `around` is the azimuthal vector; `orbiting` returns dφ/dt of the circular orbit, with φ (1) or against it (−1).
 pub(super) fn four_velocity(
     metric: &DMat4,
-    frame: CameraFrame,
+    frame: Observer,
     around: DVec3,
     orbiting: &dyn Fn(f64) -> Option<f64>,
 ) -> Option<DVec4> {
     let way = |turning: f64| normalised(metric, (turning * around).extend(1.0));
     match frame {
-        CameraFrame::Coordinate | CameraFrame::Infalling => None,
-        CameraFrame::Static => way(0.0),
-        CameraFrame::Eulerian => normal(metric),
-        CameraFrame::Boosted(velocity) => moving(metric, velocity),
-        CameraFrame::Zamo => {
+        Observer::Coordinate | Observer::Infalling => None,
+        Observer::Static => way(0.0),
+        Observer::Eulerian => normal(metric),
+        Observer::Boosted(velocity) => moving(metric, velocity),
+        Observer::Zamo => {
             let around = around.extend(0.0);
             let (mixed, own) = (around.dot(metric.w_axis), around.dot(*metric * around));
             way(if own > 0.0 { -mixed / own } else { 0.0 })
         }
-        CameraFrame::ProgradeOrbit => orbiting(1.0).and_then(way),
-        CameraFrame::RetrogradeOrbit => orbiting(-1.0).and_then(way),
+        Observer::ProgradeOrbit => orbiting(1.0).and_then(way),
+        Observer::RetrogradeOrbit => orbiting(-1.0).and_then(way),
     }
 }
 
 /// Returns the four-velocity of a static or moving observer in a space without time dilation, or `None` for the other frames.
-pub(super) fn in_space(metric: &DMat4, frame: CameraFrame) -> Option<Result<DVec4, [String; 2]>> {
-    let is_known = matches!(frame, CameraFrame::Static | CameraFrame::Eulerian | CameraFrame::Boosted(_));
+pub(super) fn in_space(metric: &DMat4, frame: Observer) -> Option<Result<DVec4, [String; 2]>> {
+    let is_known = matches!(frame, Observer::Static | Observer::Eulerian | Observer::Boosted(_));
     let found = || four_velocity(metric, frame, DVec3::ZERO, &|_| None);
     is_known.then(|| found().ok_or_else(|| ["is where this observer cannot exist", "move it"].map(str::to_owned)))
 }

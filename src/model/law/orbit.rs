@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-use super::Landmark;
+use super::CharacteristicSurface;
 
 /// The orbit around a law's only center.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -91,7 +91,7 @@ impl Throat {
     }
 
     /// Returns the spheres of a diagram.
-    pub(super) fn landmarks(&self) -> Vec<Landmark> {
-        self.mouths.map(|center| Landmark::sphere("throat", center, self.rim(), false)).into()
+    pub(super) fn landmarks(&self) -> Vec<CharacteristicSurface> {
+        self.mouths.map(|center| CharacteristicSurface::sphere("throat", center, self.rim(), false)).into()
     }
 }

@@ -19,11 +19,11 @@ use std::sync::Arc;
 use glam::{DVec2, DVec3, DVec4};
 
 use super::sources::OWN_SPEED;
-use super::{Facts, Kind, Landmark, Law, Order, UsualSteps};
+use super::{CharacteristicSurface, Facts, Kind, Law, Order, UsualSteps};
 use crate::document::reader::TableReader;
 use crate::document::values::{Read, array, number, positive, word};
 use crate::document::{Node, Value as Written, keys};
-use crate::model::{Anchor, Binding, Capture, OwnWgsl, Promise, Row, Value, Wgsl, row};
+use crate::model::{Anchor, Binding, Capture, Promise, Row, UserWgsl, Value, Wgsl, row};
 
 /// The description of this law.
 pub static KIND: Kind = Kind {
@@ -51,7 +51,7 @@ pub static KIND: Kind = Kind {
         let captures = captures(table);
         let parameters = parameters(table, file.as_ref().map(|(_, text)| &**text));
         let (file, text) = file?;
-        Some(Arc::new(OwnLaw { file, text, depends, scale, captures: captures?, parameters: parameters? }))
+        Some(Arc::new(CustomLaw { file, text, depends, scale, captures: captures?, parameters: parameters? }))
     },
 };
 
@@ -133,7 +133,7 @@ pub enum Depends {
 
 /// A custom law from a file.
 #[derive(Debug, Clone, PartialEq)]
-pub struct OwnLaw {
+pub struct CustomLaw {
     /// The name of the file in error messages.
     pub file: String,
     /// The WGSL code.
@@ -148,7 +148,7 @@ pub struct OwnLaw {
     pub parameters: Vec<(String, Value)>,
 }
 
-impl OwnLaw {
+impl CustomLaw {
     /// Returns the functions that the file must or may define.
     fn promises(&self) -> Vec<Promise> {
         let all = [
@@ -195,7 +195,7 @@ impl OwnLaw {
     }
 }
 
-impl Law for OwnLaw {
+impl Law for CustomLaw {
     fn parts(&self) -> Vec<Wgsl> {
         let shared: &[&'static str] = match self.depends {
             Depends::Place => &["law/accelerated"],
@@ -204,7 +204,7 @@ impl Law for OwnLaw {
             Depends::Flow => &["law/flow"],
         };
         let declared = Wgsl::Text { file: "generated/law.wgsl".into(), text: self.declared().into() };
-        let own = OwnWgsl { file: self.file.clone(), text: Arc::clone(&self.text), promises: self.promises() };
+        let own = UserWgsl { file: self.file.clone(), text: Arc::clone(&self.text), promises: self.promises() };
         Wgsl::parts(shared).into_iter().chain([declared, Wgsl::Own(own)]).collect()
     }
 
@@ -232,8 +232,9 @@ impl Law for OwnLaw {
         self.captures.clone()
     }
 
-    fn landmarks(&self) -> Vec<Landmark> {
-        let sphere = |capture: &Capture| Landmark::sphere("capture", capture.anchor.position, capture.radius, true);
+    fn landmarks(&self) -> Vec<CharacteristicSurface> {
+        let sphere =
+            |capture: &Capture| CharacteristicSurface::sphere("capture", capture.anchor.position, capture.radius, true);
         self.captures.iter().map(sphere).collect()
     }
 }

@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use glam::DVec3;
 
-use super::{Facts, Invariant, Kind, Landmark, Law, Orbit, OrbitForm, Order, USUAL_PARTS, UsualSteps};
+use super::{CharacteristicSurface, Facts, Invariant, Kind, Law, Orbit, OrbitForm, Order, USUAL_PARTS, UsualSteps};
 use crate::document::keys;
 use crate::document::reader::TableReader;
 use crate::document::values::{choice, not_negative, not_zero, vector, word};
@@ -59,12 +59,12 @@ pub(super) const OWN_SPEED: &str =
 pub struct Sources(pub Vec<Source>);
 
 impl Sources {
-    fn of(&self, kind: &falloff::Kind) -> impl Iterator<Item = &Source> {
+    fn of(&self, kind: &falloff::FalloffKind) -> impl Iterator<Item = &Source> {
         self.0.iter().filter(move |source| source.falloff.kind == kind)
     }
 
     /// Returns the kinds of fall-off that the sources use.
-    fn falloffs(&self) -> impl Iterator<Item = &'static falloff::Kind> {
+    fn falloffs(&self) -> impl Iterator<Item = &'static falloff::FalloffKind> {
         FALLOFFS.into_iter().filter(|kind| self.of(kind).next().is_some())
     }
 
@@ -169,9 +169,10 @@ impl Law for Sources {
         all
     }
 
-    fn landmarks(&self) -> Vec<Landmark> {
+    fn landmarks(&self) -> Vec<CharacteristicSurface> {
         let both = |source: &Source| {
-            let sphere = |name, radius, captures| Landmark::sphere(name, source.anchor.position, radius, captures);
+            let sphere =
+                |name, radius, captures| CharacteristicSurface::sphere(name, source.anchor.position, radius, captures);
             [sphere("capture", source.capture, true), sphere("range of a source", source.falloff.reach(), false)]
         };
         self.0.iter().filter(|source| source.anchor.kind.is_point).flat_map(both).collect()
@@ -214,7 +215,7 @@ impl Law for ByLength {
         vec![Invariant { name: "|v| + V", value: v.length() + potential, size: v.length() + size }]
     }
 
-    fn landmarks(&self) -> Vec<Landmark> {
+    fn landmarks(&self) -> Vec<CharacteristicSurface> {
         self.0.landmarks()
     }
 

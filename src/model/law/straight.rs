@@ -5,7 +5,7 @@ use std::sync::Arc;
 use glam::{DMat4, DVec3, DVec4};
 
 use super::observer::in_space;
-use super::{CameraFrame, Facts, Invariant, Kind, Law, USUAL_PARTS};
+use super::{Facts, Invariant, Kind, Law, Observer, USUAL_PARTS};
 use crate::model::{STRAIGHT, Wgsl};
 
 pub static KIND: Kind = Kind { name: "straight", keys: &[], read: |_, _| Some(Arc::new(Straight)) };
@@ -34,7 +34,7 @@ impl Law for Straight {
         Some(DMat4::from_diagonal(DVec4::new(1.0, 1.0, 1.0, -1.0)))
     }
 
-    fn observer(&self, frame: CameraFrame, at: DVec3) -> Option<Result<DVec4, [String; 2]>> {
+    fn observer(&self, frame: Observer, at: DVec3) -> Option<Result<DVec4, [String; 2]>> {
         in_space(&self.metric(at, 0.0)?, frame)
     }
 

@@ -12,7 +12,7 @@ use std::sync::Arc;
 use glam::{DMat4, DVec3, DVec4};
 
 use super::observer::{in_space, spherical};
-use super::{CameraFrame, Facts, Invariant, Kind, Law, Order, Throat};
+use super::{Facts, Invariant, Kind, Law, Observer, Order, Throat};
 use crate::document::keys;
 use crate::document::values::{not_negative, positive, vector};
 use crate::model::{Binding, Wgsl, row};
@@ -134,7 +134,7 @@ impl Law for Wormhole {
         self.mass.unwrap_or(self.radius).min(self.radius)
     }
 
-    fn observer(&self, frame: CameraFrame, at: DVec3) -> Option<Result<DVec4, [String; 2]>> {
-        in_space(&self.metric(at, 0.0)?, frame).filter(|_| frame != CameraFrame::Eulerian)
+    fn observer(&self, frame: Observer, at: DVec3) -> Option<Result<DVec4, [String; 2]>> {
+        in_space(&self.metric(at, 0.0)?, frame).filter(|_| frame != Observer::Eulerian)
     }
 }

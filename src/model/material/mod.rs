@@ -21,7 +21,7 @@ use std::sync::Arc;
 use glam::DVec3;
 
 use super::same::same;
-use super::{Row, Same};
+use super::{DynEq, Row};
 use crate::assets::{FanRay, Files, Picture};
 use crate::document::reader::TableReader;
 use crate::document::{self, Kinds};
@@ -121,7 +121,7 @@ impl Facts<'_> {
 }
 
 /// The behavior of a surface.
-pub trait Surface: fmt::Debug + Send + Sync + Same {
+pub trait Surface: fmt::Debug + Send + Sync + DynEq {
     /// Returns the properties that do not depend on the color.
     fn facts(&self) -> Facts<'_>;
 

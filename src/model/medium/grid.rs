@@ -5,7 +5,7 @@ use std::sync::Arc;
 use glam::DVec3;
 
 use super::{Facts, Kind, Medium};
-use crate::assets::{Bare, Files, IndexGrid, Stored, Use};
+use crate::assets::{Files, GridUse, IndexGrid, RawGridLayout, Stored};
 use crate::document::keys;
 use crate::document::reader::TableReader;
 use crate::document::values::{array, not_zero, number, text, vector, whole, word};
@@ -46,15 +46,15 @@ fn samples(table: &TableReader, files: &mut Files) -> Option<Arc<IndexGrid>> {
         table.fault(&[], "missing keys `min` and `max`", help);
         return None;
     }
-    files.grid(table.reader, file?, &Use { bare, corners, scale, offset })
+    files.grid(table.reader, file?, &GridUse { bare, corners, scale, offset })
 }
 
-fn bare(table: &TableReader) -> Option<Bare> {
+fn bare(table: &TableReader) -> Option<RawGridLayout> {
     let side = whole(2..=1 << 20);
     let size = table.required("size", "[64, 64, 64]", array("three whole numbers, [nx, ny, nz]", side));
     let stored = table.required("type", "\"f32\"", word(Stored::NAMES));
     let little = table.or("endian", true, word(&[("little", true), ("big", false)]));
-    Some(Bare { size: size?, stored: stored?, little })
+    Some(RawGridLayout { size: size?, stored: stored?, little })
 }
 
 /// Returns `true` if both corners are present and ordered, or if both are missing.

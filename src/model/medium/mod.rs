@@ -30,7 +30,7 @@ use std::sync::Arc;
 use glam::DVec3;
 
 use super::same::same;
-use super::{Capture, ClosedForm, Filter, Row, Same, Wgsl, filter};
+use super::{Capture, ClosedForm, DynEq, Filter, Row, Wgsl, filter};
 use crate::assets::{Files, Formula};
 use crate::document::reader::TableReader;
 use crate::document::values::{direction, positive, suggest, vector};
@@ -137,7 +137,7 @@ impl Facts<'_> {
 }
 
 /// An index of refraction over space, in scene coordinates. Spherical media depend on r, the distance from their center.
-pub trait Medium: fmt::Debug + Send + Sync + Same {
+pub trait Medium: fmt::Debug + Send + Sync + DynEq {
     /// Returns the properties that do not depend on position.
     fn facts(&self) -> Facts<'_>;
 

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use glam::DVec3;
 
 use super::{Facts, Kind, Medium, ORIGIN, Surroundings, UP, origin, up};
-use crate::assets::{Files, Flaw, Profile, ProfilePoint};
+use crate::assets::{Files, Profile, ProfileError, ProfilePoint};
 use crate::document::reader::TableReader;
 use crate::document::values::{Read, array, number};
 use crate::document::{Node, Value, keys};
@@ -42,7 +42,7 @@ fn profile(table: &TableReader, files: &mut Files) -> Option<Arc<Profile>> {
     // All points are read before the first error returns, so that every error is reported.
     let points: Vec<Option<[f64; 2]>> = nodes.iter().map(|node| table.reader.accept(point(node))).collect();
     let points: Vec<[f64; 2]> = points.into_iter().collect::<Option<_>>()?;
-    let flawed = |flaw: Flaw| {
+    let flawed = |flaw: ProfileError| {
         let node = flaw.point.map_or(node, |k| &nodes[k]);
         table.reader.fault(node.fault(flaw.problem, flaw.help));
     };

@@ -1,9 +1,9 @@
 //! The Dormand–Prince 5(4) pair (1980), first same as last.
 
-use super::Kind;
+use super::MethodKind;
 use crate::model::control::embedded;
 
-pub static KIND: Kind = Kind {
+pub static KIND: MethodKind = MethodKind {
     name: "dormand-prince",
     parts: &["method/control/embedded", "method/step/dormand_prince"],
     evaluations: 6,
@@ -11,5 +11,5 @@ pub static KIND: Kind = Kind {
     controls: &[&embedded::KIND],
     step_cost: Some(15.0),
     sweeps: || vec![("dormand-prince", embedded::sweep(14))],
-    ..Kind::STEPS
+    ..MethodKind::STEPS
 };

@@ -1,9 +1,9 @@
 //! The Euler method: p ← p + h F(p) (W04 Eq. 2).
 
-use super::Kind;
+use super::MethodKind;
 use crate::model::control::{PLANNED_OR_DOUBLED, doubling, scaled};
 
-pub static KIND: Kind = Kind {
+pub static KIND: MethodKind = MethodKind {
     name: "euler",
     parts: &["method/step/euler"],
     controls: &PLANNED_OR_DOUBLED,
@@ -14,5 +14,5 @@ pub static KIND: Kind = Kind {
             ("euler-doubling", doubling::sweep(&doubling::REJECTING, 9)),
         ]
     },
-    ..Kind::STEPS
+    ..MethodKind::STEPS
 };

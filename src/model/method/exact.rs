@@ -1,9 +1,9 @@
 //! Closed forms alone, for straight rays and media whose paths are known.
 
-use super::{Kind, Path, Refusal};
+use super::{MethodKind, Path, Unsupported};
 use crate::model::control;
 
-pub static KIND: Kind = Kind {
+pub static KIND: MethodKind = MethodKind {
     name: "exact",
     path: Path::Closed,
     evaluations: 0,
@@ -13,16 +13,16 @@ pub static KIND: Kind = Kind {
         let mut refused = Vec::new();
         if scene.needs_solver {
             let problem = "the exact method requires straight rays, or media whose paths have a closed form";
-            refused.push(Refusal::method(problem));
+            refused.push(Unsupported::method(problem));
         }
         if scene.has_chords {
             let help = "use segment = \"arc\", or another method";
-            refused.push(Refusal { key: "segment", problem: "the exact method does not support chords", help });
+            refused.push(Unsupported { key: "segment", problem: "the exact method does not support chords", help });
         }
         refused
     },
     closed_forms: true,
     step_cost: Some(0.0),
     sweeps: || vec![("exact", vec![control::exact::CONTROL])],
-    ..Kind::STEPS
+    ..MethodKind::STEPS
 };

@@ -26,7 +26,7 @@ use crate::document::values::positive;
 use crate::document::{Key, KeyReference, kind_rows};
 
 /// The list of all methods, in the order of the reference and of charts.
-pub const METHODS: [&Kind; 11] = [
+pub const METHODS: [&MethodKind; 11] = [
     &exact::KIND,
     &planar::KIND,
     &separated::KIND,
@@ -59,7 +59,7 @@ pub enum Path {
 }
 
 /// The description of a method.
-pub struct Kind {
+pub struct MethodKind {
     /// The name in a scene file.
     pub name: &'static str,
     /// The way in which it computes the next point.
@@ -71,9 +71,9 @@ pub struct Kind {
     /// The order of convergence; 0 if there is none.
     pub order: u32,
     /// The controls that the method supports.
-    pub controls: &'static [&'static control::Kind],
+    pub controls: &'static [&'static control::ControlKind],
     /// Returns why the method cannot meet these demands.
-    pub refuses: fn(&Demands) -> Vec<Refusal>,
+    pub refuses: fn(&Demands) -> Vec<Unsupported>,
     /// Is `true` if closed forms replace the method where they exist.
     pub closed_forms: bool,
     /// Is `true` if the path consists of straight steps. Segments are then chords over one step, unless the scene specifies otherwise.
@@ -84,11 +84,11 @@ pub struct Kind {
     /// Returns the names and settings of a chart, from coarse to fine.
     pub sweeps: fn() -> Vec<(&'static str, Vec<Control>)>,
     /// The parameter that only this method has.
-    pub own: Option<&'static OwnNumber>,
+    pub own: Option<&'static MethodParameter>,
 }
 
 /// The parameter of one method, by its key and by the uniform in which a WGSL member has the name of the key.
-pub struct OwnNumber {
+pub struct MethodParameter {
     /// The key and its meaning.
     pub key: Key,
     /// The default.
@@ -101,7 +101,7 @@ pub struct OwnNumber {
 #[derive(Clone, Copy, PartialEq)]
 pub struct Method {
     /// The kind of method.
-    pub kind: &'static Kind,
+    pub kind: &'static MethodKind,
     /// The parameter that only this kind has; 0 if it has none.
     pub own: f64,
 }
@@ -130,7 +130,7 @@ pub struct Demands {
 
 /// A reason why a method does not support a scene.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Refusal {
+pub struct Unsupported {
     /// The key of `[rays]` that conflicts with the method.
     pub key: &'static str,
     /// The problem.
@@ -139,7 +139,7 @@ pub struct Refusal {
     pub help: &'static str,
 }
 
-impl Refusal {
+impl Unsupported {
     /// Creates a refusal of the method itself.
     pub(super) const fn method(problem: &'static str) -> Self {
         Self { key: "method", problem, help: "use rk4, or remove `method`" }
@@ -147,15 +147,19 @@ impl Refusal {
 }
 
 /// Returns why the orbit equation cannot follow the rays of a scene.
-pub(super) fn refuses_orbits(scene: Demands) -> Vec<Refusal> {
+pub(super) fn refuses_orbits(scene: Demands) -> Vec<Unsupported> {
     let mut refused = Vec::new();
     if scene.ends {
         let problem = "steps along an orbit are measured by angle and cannot end at a given τ";
-        refused.push(Refusal { key: "max_parameter", problem, help: "use dormand-prince, or remove `max_parameter`" });
+        refused.push(Unsupported {
+            key: "max_parameter",
+            problem,
+            help: "use dormand-prince, or remove `max_parameter`",
+        });
     }
     if scene.has_chords {
         let help = "use segment = \"arc\", or another method";
-        refused.push(Refusal {
+        refused.push(Unsupported {
             key: "segment",
             problem: "a method that integrates orbits does not support chords",
             help,
@@ -167,7 +171,7 @@ pub(super) fn refuses_orbits(scene: Demands) -> Vec<Refusal> {
 impl Method {
     /// Creates a method of a kind with the default parameter.
     #[must_use]
-    pub fn new(kind: &'static Kind) -> Self {
+    pub fn new(kind: &'static MethodKind) -> Self {
         Self { kind, own: kind.own.map_or(0.0, |own| own.default) }
     }
 
@@ -179,7 +183,7 @@ impl Method {
     }
 }
 
-impl Kind {
+impl MethodKind {
     /// The description of a method of one evaluation per step without demands, which supplies the defaults of the other kinds.
     pub const STEPS: Self = Self {
         name: "",
@@ -197,7 +201,7 @@ impl Kind {
     };
 }
 
-named!(Kind);
+named!(MethodKind);
 
 impl fmt::Debug for Method {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -207,14 +211,14 @@ impl fmt::Debug for Method {
 
 /// A name in the scene format: a method with the controls that share a suffix of the name.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Named {
+pub struct NamedMethod {
     /// The method.
-    pub kind: &'static Kind,
+    pub kind: &'static MethodKind,
     /// The suffix of the method's name.
     pub suffix: &'static str,
 }
 
-impl Named {
+impl NamedMethod {
     /// Creates the name of a method with its usual control.
     #[must_use]
     pub fn plain(method: Method) -> Self {
@@ -222,7 +226,7 @@ impl Named {
     }
 
     /// Returns the controls that this name may have.
-    fn controls(self) -> Vec<&'static control::Kind> {
+    fn controls(self) -> Vec<&'static control::ControlKind> {
         self.kind.controls.iter().copied().filter(|control| control.suffix == self.suffix).collect()
     }
 
@@ -241,10 +245,10 @@ impl Named {
 
 /// Returns all names that a scene file may specify for a method.
 #[must_use]
-pub fn names() -> Vec<(String, Named)> {
-    let named = |kind: &'static Kind| {
+pub fn names() -> Vec<(String, NamedMethod)> {
+    let named = |kind: &'static MethodKind| {
         let suffixes = kind.controls.chunk_by(|a, b| a.suffix == b.suffix).map(|controls| controls[0].suffix);
-        suffixes.map(move |suffix| (format!("{}{suffix}", kind.name), Named { kind, suffix }))
+        suffixes.map(move |suffix| (format!("{}{suffix}", kind.name), NamedMethod { kind, suffix }))
     };
     METHODS.into_iter().flat_map(named).collect()
 }

@@ -1,9 +1,9 @@
 //! The Binet equation of the orbit in the ray's plane, for laws with one center.
 
-use super::{Kind, Path, Refusal, refuses_orbits};
+use super::{MethodKind, Path, Unsupported, refuses_orbits};
 use crate::model::control::scaled;
 
-pub static KIND: Kind = Kind {
+pub static KIND: MethodKind = MethodKind {
     name: "planar",
     path: Path::Orbit,
     // The evaluations of the Nyström method of the orbit.
@@ -13,10 +13,11 @@ pub static KIND: Kind = Kind {
     refuses: |scene| {
         let mut refused = Vec::new();
         if scene.has_solved_interior {
-            refused.push(Refusal::method("planar cannot follow rays through these interiors"));
+            refused.push(Unsupported::method("planar cannot follow rays through these interiors"));
         } else if !scene.has_plane {
-            refused
-                .push(Refusal::method("planar requires a law with a single center, so that each ray stays in a plane"));
+            refused.push(Unsupported::method(
+                "planar requires a law with a single center, so that each ray stays in a plane",
+            ));
         }
         refused.extend(refuses_orbits(*scene));
         refused
@@ -24,5 +25,5 @@ pub static KIND: Kind = Kind {
     closed_forms: true,
     step_cost: Some(1.5),
     sweeps: || vec![("planar", scaled::sweep(16))],
-    ..Kind::STEPS
+    ..MethodKind::STEPS
 };

@@ -1,9 +1,9 @@
 //! The classical Runge–Kutta method of order 4.
 
-use super::Kind;
+use super::MethodKind;
 use crate::model::control::{PLANNED_OR_DOUBLED, curvature, doubling, scaled};
 
-pub static KIND: Kind = Kind {
+pub static KIND: MethodKind = MethodKind {
     name: "rk4",
     parts: &["method/step/rk4"],
     evaluations: 4,
@@ -17,5 +17,5 @@ pub static KIND: Kind = Kind {
             ("rk4-doubling", doubling::sweep(&doubling::REJECTING, 12)),
         ]
     },
-    ..Kind::STEPS
+    ..MethodKind::STEPS
 };

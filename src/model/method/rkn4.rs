@@ -1,10 +1,10 @@
 //! The Nyström method of order 4, for accelerations that depend on position alone.
 
-use super::Kind;
+use super::MethodKind;
 use super::leapfrog::needs_place_alone;
 use crate::model::control::scaled;
 
-pub static KIND: Kind = Kind {
+pub static KIND: MethodKind = MethodKind {
     name: "rkn4",
     parts: &["method/step/rkn4"],
     evaluations: 3,
@@ -12,5 +12,5 @@ pub static KIND: Kind = Kind {
     refuses: |scene| needs_place_alone(scene.order),
     step_cost: Some(5.0),
     sweeps: || vec![("rkn4", scaled::sweep(16))],
-    ..Kind::STEPS
+    ..MethodKind::STEPS
 };

@@ -1,9 +1,9 @@
 //! The separated equations of the orbit in Mino time, for a rotating black hole.
 
-use super::{Kind, Path, Refusal, refuses_orbits};
+use super::{MethodKind, Path, Unsupported, refuses_orbits};
 use crate::model::control::scaled;
 
-pub static KIND: Kind = Kind {
+pub static KIND: MethodKind = MethodKind {
     name: "separated",
     path: Path::Orbit,
     // The evaluations of the Nyström method of the orbit.
@@ -13,8 +13,9 @@ pub static KIND: Kind = Kind {
     refuses: |scene| {
         let mut refused = Vec::new();
         if !scene.separates {
-            refused
-                .push(Refusal::method("separated requires law.kind = \"kerr-newman\" and a black hole with a horizon"));
+            refused.push(Unsupported::method(
+                "separated requires law.kind = \"kerr-newman\" and a black hole with a horizon",
+            ));
         }
         refused.extend(refuses_orbits(*scene));
         refused
@@ -22,5 +23,5 @@ pub static KIND: Kind = Kind {
     closed_forms: true,
     step_cost: Some(3.0),
     sweeps: || vec![("separated", scaled::sweep(16))],
-    ..Kind::STEPS
+    ..MethodKind::STEPS
 };

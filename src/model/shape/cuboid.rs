@@ -4,12 +4,12 @@ use std::sync::Arc;
 
 use glam::{DAffine3, DQuat, DVec3};
 
-use super::{CENTER, Contact, Kind, Placed, Shape, Solid};
+use super::{CENTER, Contact, Kind, Placed, Primitive, Shape};
 use crate::assets::Transform;
 use crate::document::keys;
 use crate::document::reader::TableReader;
 use crate::document::values::{extents, vector};
-use crate::model::cut::{Outline, OwnPlane, cuboid};
+use crate::model::cut::{LocalPlane, Outline, cuboid};
 
 pub static KIND: Kind = Kind {
     name: "box",
@@ -41,14 +41,14 @@ fn place(table: &TableReader) -> Option<DAffine3> {
     Some(DAffine3::from_scale_rotation_translation(size / 2.0, DQuat::IDENTITY, center))
 }
 
-pub static SOLID: Solid = Solid::listed("box", "boxes", Placed::space, false);
+pub static SOLID: Primitive = Primitive::listed("box", "boxes", Placed::space, false);
 
 /// The box from −1 to 1 along each axis; the scale of a [`Transform`] is half its edges.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Cuboid;
 
 impl Shape for Cuboid {
-    fn solid(&self, _: &Transform) -> &'static Solid {
+    fn solid(&self, _: &Transform) -> &'static Primitive {
         &SOLID
     }
 
@@ -70,7 +70,7 @@ impl Shape for Cuboid {
         3.0_f64.sqrt()
     }
 
-    fn cut(&self, plane: OwnPlane) -> Vec<Outline> {
+    fn cut(&self, plane: LocalPlane) -> Vec<Outline> {
         cuboid(plane).into_iter().collect()
     }
 

@@ -7,11 +7,11 @@ use glam::{DAffine3, DVec3};
 
 use super::extent::circle;
 use super::read::upright;
-use super::{CENTER, Contact, Kind, Placed, RADIUS, Shape, Solid};
+use super::{CENTER, Contact, Kind, Placed, Primitive, RADIUS, Shape};
 use crate::assets::Transform;
 use crate::document::keys;
 use crate::document::values::positive;
-use crate::model::cut::{Outline, OwnPlane, cylinder};
+use crate::model::cut::{LocalPlane, Outline, cylinder};
 use crate::model::medium::Surroundings;
 
 pub static KIND: Kind = Kind {
@@ -30,14 +30,14 @@ pub static KIND: Kind = Kind {
     },
 };
 
-pub static SOLID: Solid = Solid::listed("cylinder", "cylinders", Placed::space, false);
+pub static SOLID: Primitive = Primitive::listed("cylinder", "cylinders", Placed::space, false);
 
 /// A closed cylinder of radius 1 along y, from y = −1 to 1; the scale of a [`Transform`] is its radius and half its height.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Cylinder;
 
 impl Shape for Cylinder {
-    fn solid(&self, _: &Transform) -> &'static Solid {
+    fn solid(&self, _: &Transform) -> &'static Primitive {
         &SOLID
     }
 
@@ -60,7 +60,7 @@ impl Shape for Cylinder {
         2.0_f64.sqrt()
     }
 
-    fn cut(&self, plane: OwnPlane) -> Vec<Outline> {
+    fn cut(&self, plane: LocalPlane) -> Vec<Outline> {
         cylinder(plane).into_iter().collect()
     }
 

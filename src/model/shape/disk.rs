@@ -5,11 +5,11 @@ use std::sync::Arc;
 use glam::{DAffine3, DVec3};
 
 use super::read::upright;
-use super::{CENTER, Contact, Kind, NORMAL, RADIUS, Shape, Solid, extent};
+use super::{CENTER, Contact, Kind, NORMAL, Primitive, RADIUS, Shape, extent};
 use crate::assets::Transform;
 use crate::document::keys;
 use crate::document::values::{not_negative, positive};
-use crate::model::cut::{ON, Outline, OwnPlane, PARALLEL, circle};
+use crate::model::cut::{LocalPlane, ON, Outline, PARALLEL, circle};
 
 pub static KIND: Kind = Kind {
     name: "disk",
@@ -31,7 +31,7 @@ pub static KIND: Kind = Kind {
     },
 };
 
-pub static SOLID: Solid = Solid::listed("disk", "disks", |placed| placed.space_and("hole"), true);
+pub static SOLID: Primitive = Primitive::listed("disk", "disks", |placed| placed.space_and("hole"), true);
 
 /// The disk of radius 1 around the origin in the plane y = 0; the scale of a [`Transform`] is its radius.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -41,7 +41,7 @@ pub struct Disk {
 }
 
 impl Shape for Disk {
-    fn solid(&self, _: &Transform) -> &'static Solid {
+    fn solid(&self, _: &Transform) -> &'static Primitive {
         &SOLID
     }
 
@@ -71,7 +71,7 @@ impl Shape for Disk {
     }
 
     /// Returns one line, or two if the plane crosses the hole, or the edges if the disk is in the plane.
-    fn cut(&self, plane: OwnPlane) -> Vec<Outline> {
+    fn cut(&self, plane: LocalPlane) -> Vec<Outline> {
         let slope = DVec3::new(plane.normal.x, 0.0, plane.normal.z);
         if slope.length() <= PARALLEL {
             let edges = [1.0, self.hole].into_iter().filter(|radius| *radius > 0.0 && plane.offset.abs() <= ON);

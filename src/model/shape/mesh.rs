@@ -4,11 +4,11 @@ use std::sync::Arc;
 
 use glam::{DAffine3, DVec3};
 
-use super::{Contact, Kind, Shape, Solid};
-use crate::assets::{Mesh, NodeName, Part, Transform, Wanted};
+use super::{Contact, Kind, Primitive, Shape};
+use crate::assets::{Mesh, MeshRequest, NodeName, Part, Transform};
 use crate::document::values::{Read, number_where, whole};
 use crate::document::{Node, Value, keys};
-use crate::model::cut::{Outline, OwnPlane, mesh};
+use crate::model::cut::{LocalPlane, Outline, mesh};
 use crate::model::medium::Surroundings;
 
 pub static KIND: Kind = Kind {
@@ -24,17 +24,17 @@ pub static KIND: Kind = Kind {
     read: |table, _, files| {
         let file = table.required_node("file", "\"teapot.obj\"");
         let angle = number_where("an angle from 0 to 180 degrees", |x| (0.0..=180.0).contains(&x));
-        let crease = table.or("crease", Wanted::CREASE, angle);
+        let crease = table.or("crease", MeshRequest::CREASE, angle);
         let node = table.optional("node", node_name);
         let primitive = table.optional("primitive", whole(0..=u32::MAX));
-        let wanted = Wanted { crease, part: Part { node, primitive } };
+        let wanted = MeshRequest { crease, part: Part { node, primitive } };
         let part = ["node", "primitive"].into_iter().find_map(|key| table.node(key));
         let (mesh, place) = files.mesh(table.reader, file?, part.unwrap_or(file?), &wanted)?;
         Some((Arc::new(Triangles(mesh)), place))
     },
 };
 
-pub static SOLID: Solid = Solid { name: "triangle", lists: None };
+pub static SOLID: Primitive = Primitive { name: "triangle", lists: None };
 
 /// A triangle mesh.
 #[derive(Debug, Clone, PartialEq)]
@@ -49,7 +49,7 @@ fn node_name(node: &Node) -> Read<NodeName> {
 }
 
 impl Shape for Triangles {
-    fn solid(&self, _: &Transform) -> &'static Solid {
+    fn solid(&self, _: &Transform) -> &'static Primitive {
         &SOLID
     }
 
@@ -106,7 +106,7 @@ impl Shape for Triangles {
         Surroundings { center: place.0.transform_point3(-self.0.origin), ..Surroundings::default() }
     }
 
-    fn cut(&self, plane: OwnPlane) -> Vec<Outline> {
+    fn cut(&self, plane: LocalPlane) -> Vec<Outline> {
         mesh::cut(&self.0, plane)
     }
 

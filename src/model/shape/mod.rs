@@ -24,8 +24,8 @@ use std::sync::Arc;
 
 use glam::{DAffine3, DVec3};
 
-use super::Same;
-use super::cut::{Outline, OwnPlane};
+use super::DynEq;
+use super::cut::{LocalPlane, Outline};
 use super::medium::Surroundings;
 use super::same::same;
 use crate::assets::{Files, Mesh, Transform};
@@ -41,9 +41,9 @@ pub use mesh::Triangles;
 pub use object::{Object, Substance};
 pub use plane::Plane;
 pub(crate) use read::read;
-pub use solid::{Placed, Solid};
+pub use solid::{Placed, Primitive};
 pub use sphere::Sphere;
-pub use travel::Travel;
+pub use travel::RigidMotion;
 
 /// Reads a shape, with the map from object space that its keys define; returns `None` after an error. `across` is the diameter of the
 /// bounding sphere.
@@ -60,13 +60,13 @@ pub static KINDS: Kinds<Read> = Kinds {
 };
 
 /// The solids, by name.
-pub const SOLIDS: [&Solid; 7] =
+pub const SOLIDS: [&Primitive; 7] =
     [&cuboid::SOLID, &cylinder::SOLID, &disk::SOLID, &sphere::ELLIPSOID, &plane::SOLID, &sphere::SOLID, &mesh::SOLID];
 
 /// A shape in object space, where its size is about 1.
-pub trait Shape: fmt::Debug + Send + Sync + Same {
+pub trait Shape: fmt::Debug + Send + Sync + DynEq {
     /// Returns the solid that shaders test after this placement.
-    fn solid(&self, place: &Transform) -> &'static Solid;
+    fn solid(&self, place: &Transform) -> &'static Primitive;
 
     /// Returns the number that the solid needs in addition to its placement, such as a radius or the inner radius of a disk.
     fn number(&self, place: &Transform) -> f64 {
@@ -118,7 +118,7 @@ pub trait Shape: fmt::Debug + Send + Sync + Same {
     fn radius(&self) -> f64;
 
     /// Returns the lines in which the surface crosses a plane, or its edge if it is in the plane.
-    fn cut(&self, plane: OwnPlane) -> Vec<Outline>;
+    fn cut(&self, plane: LocalPlane) -> Vec<Outline>;
 
     /// Returns the length of a vector in the norm whose unit ball is the shape; for shapes with an inside.
     fn norm(&self, d: DVec3) -> f64 {

@@ -8,9 +8,9 @@ use std::sync::Arc;
 
 use glam::DVec3;
 
-use super::{Shape, Solid, Travel, ball};
+use super::{Primitive, RigidMotion, Shape, ball};
 use crate::assets::Transform;
-use crate::model::cut::{CutPlane, Outline, OwnPlane};
+use crate::model::cut::{CutPlane, LocalPlane, Outline};
 use crate::model::medium::Interior;
 
 /// A shape in object space with its placement and its substance.
@@ -23,7 +23,7 @@ pub struct Object {
     /// The substance.
     pub substance: Substance,
     /// The motion; `None` for a static object.
-    pub travel: Option<Travel>,
+    pub travel: Option<RigidMotion>,
 }
 
 impl PartialEq for Object {
@@ -82,7 +82,7 @@ impl Object {
 
     /// Returns the solid that shaders test.
     #[must_use]
-    pub fn solid(&self) -> &'static Solid {
+    pub fn solid(&self) -> &'static Primitive {
         self.shape.solid(&self.transform)
     }
 
@@ -127,7 +127,7 @@ impl Object {
     #[must_use]
     pub fn cut(&self, plane: &CutPlane) -> Vec<Outline> {
         let map = self.transform.0;
-        let Some(own) = OwnPlane::of(plane, map.matrix3.transpose(), map.translation) else { return Vec::new() };
+        let Some(own) = LocalPlane::of(plane, map.matrix3.transpose(), map.translation) else { return Vec::new() };
         let placed = |outline: Outline| Outline {
             points: outline.points.into_iter().map(|p| map.transform_point3(p)).collect(),
             closed: outline.closed,

@@ -5,11 +5,11 @@ use std::sync::Arc;
 use glam::{DAffine3, DVec2, DVec3};
 
 use super::read::upright;
-use super::{CENTER, Contact, Kind, NORMAL, Placed, Shape, Solid};
+use super::{CENTER, Contact, Kind, NORMAL, Placed, Primitive, Shape};
 use crate::assets::Transform;
 use crate::document::keys;
 use crate::document::values::{array, positive};
-use crate::model::cut::{Outline, OwnPlane, square};
+use crate::model::cut::{LocalPlane, Outline, square};
 
 pub static KIND: Kind = Kind {
     name: "plane",
@@ -26,14 +26,14 @@ pub static KIND: Kind = Kind {
     },
 };
 
-pub static SOLID: Solid = Solid::listed("plane", "planes", Placed::space, true);
+pub static SOLID: Primitive = Primitive::listed("plane", "planes", Placed::space, true);
 
 /// The square from −1 to 1 along x and z, in the plane y = 0; the scale of a [`Transform`] is half its edges.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Plane;
 
 impl Shape for Plane {
-    fn solid(&self, _: &Transform) -> &'static Solid {
+    fn solid(&self, _: &Transform) -> &'static Primitive {
         &SOLID
     }
 
@@ -57,7 +57,7 @@ impl Shape for Plane {
         2.0_f64.sqrt()
     }
 
-    fn cut(&self, plane: OwnPlane) -> Vec<Outline> {
+    fn cut(&self, plane: LocalPlane) -> Vec<Outline> {
         square(plane).into_iter().collect()
     }
 

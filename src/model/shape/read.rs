@@ -6,7 +6,7 @@ use super::{KINDS, Object, Shape, Substance, ball, round_up, travel};
 use crate::assets::{Files, Transform};
 use crate::document::reader::TableReader;
 use crate::document::values::{Read, direction, extents, positive, suggest, text, vector, whole};
-use crate::document::{Node, Place, Value};
+use crate::document::{Node, Span, Value};
 use crate::model::medium::{self, Interior, Surroundings};
 use crate::model::{Law, Material};
 
@@ -23,7 +23,7 @@ pub(crate) fn read(
     bound: Option<Balls>,
     law: Option<&dyn Law>,
     files: &mut Files,
-) -> Vec<(Place, Object)> {
+) -> Vec<(Span, Object)> {
     let tables = root.subtables("objects", "objects").into_iter();
     tables
         .filter_map(|table| {

@@ -9,7 +9,7 @@ use crate::assets::Transform;
 use crate::model::{Row, Value, row};
 
 /// The description of a solid.
-pub struct Solid {
+pub struct Primitive {
     /// The name of the WGSL module in `shaders/shape/`, which is also in its functions and, in capitals, in its code.
     pub name: &'static str,
     /// The lists in WGSL; `None` for triangles, which are always in an acceleration structure.
@@ -26,7 +26,7 @@ pub struct Lists {
     pub flat: bool,
 }
 
-impl Solid {
+impl Primitive {
     /// Creates a solid with lists; `placed` is the name of the list of all solids of this kind.
     pub(super) const fn listed(name: &'static str, placed: &'static str, row: fn(&Placed) -> Row, flat: bool) -> Self {
         Self { name, lists: Some(Lists { placed, row, flat }) }
@@ -85,15 +85,15 @@ impl Placed {
     }
 }
 
-impl PartialEq for Solid {
+impl PartialEq for Primitive {
     fn eq(&self, other: &Self) -> bool {
         self.name == other.name
     }
 }
 
-impl Eq for Solid {}
+impl Eq for Primitive {}
 
-impl fmt::Debug for Solid {
+impl fmt::Debug for Primitive {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(self.name)
     }

@@ -5,10 +5,10 @@ use std::sync::Arc;
 use glam::{DAffine3, DQuat, DVec3};
 
 use super::extent::ellipsoid;
-use super::{CENTER, Contact, Kind, Placed, RADIUS, Shape, Solid};
+use super::{CENTER, Contact, Kind, Placed, Primitive, RADIUS, Shape};
 use crate::assets::Transform;
 use crate::document::values::{positive, vector};
-use crate::model::cut::{Outline, OwnPlane, circle};
+use crate::model::cut::{LocalPlane, Outline, circle};
 use crate::model::medium::Surroundings;
 
 pub static KIND: Kind = Kind {
@@ -22,16 +22,16 @@ pub static KIND: Kind = Kind {
     },
 };
 
-pub static SOLID: Solid = Solid::listed("sphere", "spheres", Placed::ball, false);
+pub static SOLID: Primitive = Primitive::listed("sphere", "spheres", Placed::ball, false);
 
-pub static ELLIPSOID: Solid = Solid::listed("ellipsoid", "ellipsoids", Placed::space, false);
+pub static ELLIPSOID: Primitive = Primitive::listed("ellipsoid", "ellipsoids", Placed::space, false);
 
 /// The sphere of radius 1 around the origin; the scale of a [`Transform`] is its radius, or the half axes of an ellipsoid.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Sphere;
 
 impl Shape for Sphere {
-    fn solid(&self, place: &Transform) -> &'static Solid {
+    fn solid(&self, place: &Transform) -> &'static Primitive {
         if place.uniform_scale().is_some() { &SOLID } else { &ELLIPSOID }
     }
 
@@ -56,7 +56,7 @@ impl Shape for Sphere {
         1.0
     }
 
-    fn cut(&self, plane: OwnPlane) -> Vec<Outline> {
+    fn cut(&self, plane: LocalPlane) -> Vec<Outline> {
         let radius = (1.0 - plane.offset * plane.offset).sqrt();
         let outline = || circle(plane.normal * plane.offset, plane.normal, radius);
         (radius > 0.0).then(outline).into_iter().collect()

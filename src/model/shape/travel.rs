@@ -11,11 +11,11 @@ use glam::{DMat3, DVec3};
 use crate::document::reader::TableReader;
 use crate::document::values::{number, vector};
 use crate::document::{Node, Value};
-use crate::model::{CameraFrame, Law, Row, row};
+use crate::model::{Law, Observer, Row, row};
 
 /// The motion of an object, which has its placement at t = 0.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Travel {
+pub struct RigidMotion {
     /// A point of the axis of rotation.
     pub center: DVec3,
     /// The unit vector along the axis of rotation.
@@ -26,7 +26,7 @@ pub struct Travel {
     pub velocity: DVec3,
 }
 
-impl Travel {
+impl RigidMotion {
     /// Creates a rotation around an axis.
     #[must_use]
     pub fn round(center: DVec3, axis: DVec3, turning: f64) -> Self {
@@ -95,13 +95,13 @@ impl Travel {
 }
 
 /// Reads the motion of an object at this placement; reports errors to the table.
-pub(super) fn read(table: &TableReader, law: Option<&dyn Law>, middle: Option<DVec3>) -> Option<Travel> {
+pub(super) fn read(table: &TableReader, law: Option<&dyn Law>, middle: Option<DVec3>) -> Option<RigidMotion> {
     let (key, node) = table.one_of(&["orbit", "velocity"])?;
     let (law, middle) = (law?, middle?);
     let travel = if key == "orbit" {
         orbit(table, node, law, middle)?
     } else {
-        Travel::straight(table.reader.accept(vector(node))?)
+        RigidMotion::straight(table.reader.accept(vector(node))?)
     };
     let k = travel.velocity_at(middle).extend(1.0);
     if law.metric(middle, 0.0).is_some_and(|metric| k.dot(metric * k) >= 0.0) {
@@ -112,17 +112,17 @@ pub(super) fn read(table: &TableReader, law: Option<&dyn Law>, middle: Option<DV
 }
 
 /// Reads a circular orbit of the law, prograde or retrograde, or with a specified angular velocity.
-fn orbit(table: &TableReader, node: &Node, law: &dyn Law, middle: DVec3) -> Option<Travel> {
+fn orbit(table: &TableReader, node: &Node, law: &dyn Law, middle: DVec3) -> Option<RigidMotion> {
     let Some([center, axis]) = law.equator() else {
         let help = "use `velocity`, or law.kind = \"kerr-newman\"";
         table.fault(&["orbit"], "this law has no center that an object could orbit", help);
         return None;
     };
     let frame = match &node.value {
-        Value::Text(word) if word == "prograde" => CameraFrame::ProgradeOrbit,
-        Value::Text(word) if word == "retrograde" => CameraFrame::RetrogradeOrbit,
+        Value::Text(word) if word == "prograde" => Observer::ProgradeOrbit,
+        Value::Text(word) if word == "retrograde" => Observer::RetrogradeOrbit,
         Value::Integer(_) | Value::Float(_) => {
-            return Some(Travel::round(center, axis, table.reader.accept(number(node))?));
+            return Some(RigidMotion::round(center, axis, table.reader.accept(number(node))?));
         }
         _ => {
             table.reader.fault(node.expected("\"prograde\", \"retrograde\" or an angular velocity"));
@@ -133,7 +133,7 @@ fn orbit(table: &TableReader, node: &Node, law: &dyn Law, middle: DVec3) -> Opti
         Ok(u) => {
             let arm = middle - center;
             let around = axis.cross(arm);
-            Some(Travel::round(center, axis, u.truncate().dot(around) / (u.w * around.length_squared())))
+            Some(RigidMotion::round(center, axis, u.truncate().dot(around) / (u.w * around.length_squared())))
         }
         Err([problem, help]) => {
             table.fault(&["orbit"], format!("the object {problem}"), help);

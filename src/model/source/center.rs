@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-use super::Kind;
+use super::SourceKind;
 
-pub static KIND: Kind =
-    Kind { name: "center", keys: &[], along: |_| Some(DVec3::ZERO), offset: |d, _| d, is_point: true };
+pub static KIND: SourceKind =
+    SourceKind { name: "center", keys: &[], along: |_| Some(DVec3::ZERO), offset: |d, _| d, is_point: true };

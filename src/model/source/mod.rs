@@ -18,13 +18,13 @@ use crate::document::reader::TableReader;
 use crate::document::{Key, KeyReference, kind_rows};
 
 /// The list of all kinds of source; the first is the default.
-pub const SOURCES: [&Kind; 2] = [&center::KIND, &line::KIND];
+pub const SOURCES: [&SourceKind; 2] = [&center::KIND, &line::KIND];
 
 /// The list of all kinds of anchor: those of sources, and additional ones of capture regions.
-pub const ANCHORS: [&Kind; 3] = [SOURCES[0], SOURCES[1], &spheroid::KIND];
+pub const ANCHORS: [&SourceKind; 3] = [SOURCES[0], SOURCES[1], &spheroid::KIND];
 
 /// The description of a kind of source.
-pub struct Kind {
+pub struct SourceKind {
     /// The name in a scene file; `offset_NAME` in `shaders/law/offset.wgsl` is its WGSL function.
     pub name: &'static str,
     /// The keys in addition to the keys of all sources.
@@ -41,7 +41,7 @@ pub struct Kind {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Anchor {
     /// The kind of anchor.
-    pub kind: &'static Kind,
+    pub kind: &'static SourceKind,
     /// A point of the anchor.
     pub position: DVec3,
     /// The vector that the kind has in addition; 0 for a point.
@@ -98,7 +98,7 @@ impl Capture {
     }
 }
 
-named!(Kind);
+named!(SourceKind);
 
 /// Returns the reference rows of the keys that kinds of source read.
 #[must_use]

@@ -2,10 +2,10 @@
 
 use glam::DVec3;
 
-use super::Kind;
+use super::SourceKind;
 
 /// The description of this anchor; `along` is the spin.
-pub static KIND: Kind = Kind { name: "spheroid", keys: &[], along: |_| None, offset, is_point: false };
+pub static KIND: SourceKind = SourceKind { name: "spheroid", keys: &[], along: |_| None, offset, is_point: false };
 
 /// Returns the Boyer–Lindquist r at d from a black hole of spin a, and a vector along its gradient.
 #[must_use]

@@ -19,7 +19,7 @@ use super::{AtomicFile, OutputError};
 use crate::progress::{Progress, Stage};
 
 /// A video format.
-struct Kind {
+struct VideoFormat {
     /// The file extension, in lower case.
     extension: &'static str,
     /// Returns why the format is unavailable here, if it is.
@@ -35,15 +35,15 @@ struct Kind {
 const BLACK: Option<&str> = Some("transparent pixels are blended with black");
 
 /// All formats.
-const KINDS: [Kind; 5] = [
-    Kind { extension: "mp4", problem: ffmpeg::problem, side: 16_384, alpha: BLACK, write: ffmpeg::write },
-    Kind { extension: "webm", problem: ffmpeg::problem, side: 65_535, alpha: BLACK, write: ffmpeg::write },
-    Kind { extension: "gif", problem: || None, side: 65_535, alpha: gif::ALPHA, write: gif::write },
-    Kind { extension: "png", problem: || None, side: u32::MAX, alpha: None, write: apng::write },
-    Kind { extension: "apng", problem: || None, side: u32::MAX, alpha: None, write: apng::write },
+const KINDS: [VideoFormat; 5] = [
+    VideoFormat { extension: "mp4", problem: ffmpeg::problem, side: 16_384, alpha: BLACK, write: ffmpeg::write },
+    VideoFormat { extension: "webm", problem: ffmpeg::problem, side: 65_535, alpha: BLACK, write: ffmpeg::write },
+    VideoFormat { extension: "gif", problem: || None, side: 65_535, alpha: gif::ALPHA, write: gif::write },
+    VideoFormat { extension: "png", problem: || None, side: u32::MAX, alpha: None, write: apng::write },
+    VideoFormat { extension: "apng", problem: || None, side: u32::MAX, alpha: None, write: apng::write },
 ];
 
-fn kind(path: &Path) -> Option<&'static Kind> {
+fn kind(path: &Path) -> Option<&'static VideoFormat> {
     let extension = path.extension()?.to_str()?.to_ascii_lowercase();
     KINDS.iter().find(|kind| kind.extension == extension)
 }

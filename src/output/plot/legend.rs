@@ -3,7 +3,7 @@
 use kurbo::Point;
 
 use super::canvas::{Align, CANVAS, Canvas, text_width};
-use super::style::Look;
+use super::style::Style;
 
 /// The margin around the plot and the legend in pixels.
 pub(super) const MARGIN: f64 = 30.0;
@@ -19,7 +19,7 @@ const LONGEST: usize = 28;
 /// The contents of the legend: names with the styles that they explain, and lines of plain text below.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Legend {
-    pub entries: Vec<(String, Look)>,
+    pub entries: Vec<(String, Style)>,
     pub notes: Vec<String>,
 }
 
@@ -27,7 +27,7 @@ impl Legend {
     /// Creates a legend for series of these names; `missing` of their points have no position in the plot.
     pub fn of<'a>(names: impl Iterator<Item = &'a String>, missing: usize) -> Self {
         Self {
-            entries: names.enumerate().map(|(i, name)| (name.clone(), Look::of(i))).collect(),
+            entries: names.enumerate().map(|(i, name)| (name.clone(), Style::of(i))).collect(),
             notes: match missing {
                 0 => Vec::new(),
                 1 => vec!["1 point cannot be shown".into()],

@@ -8,7 +8,7 @@ use super::axis::{Axis, place};
 use super::canvas::Canvas;
 use super::legend::Legend;
 use super::sheet::Sheet;
-use super::style::Look;
+use super::style::Style;
 use crate::output::OutputError;
 
 /// The largest number of markers on a line; more would hide its dashes.
@@ -90,15 +90,15 @@ pub fn plot_lines(path: &Path, chart: &Chart) -> Result<(), OutputError> {
     sheet.save(path, |canvas| {
         for (i, line) in placed.iter().enumerate() {
             let line: Vec<_> = line.iter().map(|p| p.map(|p| sheet.at(p))).collect();
-            draw_line(canvas, &line, Look::of(i));
+            draw_line(canvas, &line, Style::of(i));
             let every = line.len().div_ceil(MARKS).max(1);
-            line.iter().step_by(every).flatten().for_each(|at| Look::of(i).mark(canvas, *at));
+            line.iter().step_by(every).flatten().for_each(|at| Style::of(i).mark(canvas, *at));
         }
     })
 }
 
 /// Draws a line with a break at each missing position.
-pub(super) fn draw_line(canvas: &mut Canvas, line: &[Option<Point>], look: Look) {
+pub(super) fn draw_line(canvas: &mut Canvas, line: &[Option<Point>], look: Style) {
     for part in line.split(Option::is_none) {
         look.join(canvas, part.iter().copied().flatten());
     }

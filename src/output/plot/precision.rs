@@ -12,7 +12,7 @@ use super::canvas::{Align, Canvas, TEXT_SIZE, text_width};
 use super::legend::Legend;
 use super::lines::{Series, draw_line};
 use super::sheet::Sheet;
-use super::style::Look;
+use super::style::Style;
 use crate::output::OutputError;
 
 /// Both axes are logarithmic.
@@ -111,7 +111,7 @@ pub fn plot_precision(path: &Path, chart: &PrecisionPlot) -> Result<(), OutputEr
             }
         }
         for (i, time) in wrong.iter().enumerate().flat_map(|(i, times)| times.iter().map(move |time| (i, *time))) {
-            Look::of(i).mark(canvas, sheet.at([beyond.unwrap_or_default(), time]));
+            Style::of(i).mark(canvas, sheet.at([beyond.unwrap_or_default(), time]));
         }
         draw_curves(canvas, &curves, &front.iter().map(at).collect::<Vec<_>>());
     })
@@ -121,22 +121,22 @@ fn legend(chart: &PrecisionPlot, placed: &[Vec<Option<[f64; 2]>>], wrong: &[Vec<
     let missing = placed.iter().flatten().filter(|p| p.is_none()).count() - wrong.iter().flatten().count();
     let mut legend = Legend::of(chart.curves.iter().map(|c| &c.name), missing);
     if placed.iter().flatten().any(Option::is_some) {
-        legend.entries.push(("Pareto front".into(), Look::BEST));
+        legend.entries.push(("Pareto front".into(), Style::BEST));
     }
     legend
 }
 
 /// Draws lines first and markers last, so that no marker is hidden.
 fn draw_curves(canvas: &mut Canvas, curves: &[Vec<Option<Point>>], front: &[Point]) {
-    Look::BEST.join(canvas, stairs(front));
+    Style::BEST.join(canvas, stairs(front));
     for (i, curve) in curves.iter().enumerate() {
-        draw_line(canvas, curve, Look::of(i));
+        draw_line(canvas, curve, Style::of(i));
     }
     for at in front {
-        Look::BEST.mark(canvas, *at);
+        Style::BEST.mark(canvas, *at);
     }
     for (i, curve) in curves.iter().enumerate() {
-        curve.iter().flatten().for_each(|at| Look::of(i).mark(canvas, *at));
+        curve.iter().flatten().for_each(|at| Style::of(i).mark(canvas, *at));
     }
 }
 
@@ -150,7 +150,7 @@ fn stairs(front: &[Point]) -> Vec<Point> {
 /// Draws a vertical line with its name at the bottom, where points are rare, because small errors take time.
 fn draw_limit(canvas: &mut Canvas, sheet: &Sheet, error: f64, name: &str) {
     let [foot, head] = [sheet.y.range.start, sheet.y.range.end].map(|time| sheet.at([error, time]));
-    Look::LIMIT.join(canvas, [foot, head]);
+    Style::LIMIT.join(canvas, [foot, head]);
     let fits = foot.x + GAP + text_width(name) <= sheet.window().x1;
     let (align, aside) = if fits { (Align::Start, GAP) } else { (Align::End, -GAP) };
     canvas.write(name, foot + (aside, -GAP - TEXT_SIZE / 2.0), align);

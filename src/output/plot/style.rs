@@ -69,12 +69,12 @@ enum Shape {
 
 /// The style of one series.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Look {
+pub(super) struct Style {
     pen: Pen,
     marker: Option<Marker>,
 }
 
-impl Look {
+impl Style {
     /// Returns the style of a series by its index; the first 560 all differ, and the first 16 by their markers alone.
     pub fn of(series: usize) -> Self {
         let pen =

@@ -19,8 +19,7 @@ fn band(window: Window) -> Band {
     };
     let words = |seed: u32| (0..width * rows).map(move |i| word(i, seed));
     let plane = |seed: u32| words(seed).map(f32::from_bits).collect::<Vec<f32>>();
-    let layers =
-        vec![(Layer::Position, Plane::Vector([5, 6, 7].map(plane))), (Layer::Object, Plane::Scalar(plane(8)))];
+    let layers = vec![(Layer::Position, Plane::Vector([5, 6, 7].map(plane))), (Layer::Object, Plane::Scalar(plane(8)))];
     Band { first_row: 0, rows, width, color: [1, 2, 3].map(plane), alpha: Some(plane(4)), layers }
 }
 

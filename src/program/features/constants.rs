@@ -2,7 +2,7 @@
 
 use super::Features;
 use crate::model::StereoLayout;
-use crate::program::{Layer, Masks, Purpose, Schedule, Unit};
+use crate::program::{Layer, Purpose, RaySkipping, Schedule, Unit};
 
 /// Pairs each field with its name.
 macro_rules! named {
@@ -33,7 +33,7 @@ impl Features {
             ("colors_dispersed", self.disperses && self.follows_paths),
             ("filters_images", self.keeps_footprints && self.has_images),
             ("ends_below", self.below_part.is_some()),
-            ("skips_ended", self.masks != Masks::Off),
+            ("skips_ended", self.masks != RaySkipping::Off),
             ("lists_open", self.lists_open()),
             ("lists_branches", self.lists_open() && self.rounds > 1),
             ("asks_tau", self.asks_tau()),

@@ -7,7 +7,7 @@ mod constants;
 use glam::DVec3;
 
 use super::regions::{RegionKind, Regions};
-use super::{Analysis, Choice, DeviceProfile, Layer, Masks, Pass, Purpose, Schedule};
+use super::{Analysis, Choice, DeviceProfile, Layer, Pass, Purpose, RaySkipping, Schedule};
 use crate::model::method::Path;
 use crate::model::{Capture, Filter, StereoLayout};
 use crate::scene::{Animation, Branches, Light, Precision, Scene, Segment, Shadows, Sky, Tonemap};
@@ -21,7 +21,7 @@ pub struct Features {
     /// The schedule: the requested one, or `Fused` if the scene's paths do not fit into one pass.
     pub schedule: Schedule,
     /// The way in which terminated rays are skipped.
-    pub masks: Masks,
+    pub masks: RaySkipping,
     /// The properties of the device.
     pub device: DeviceProfile,
     /// The layers to store, each once.
@@ -308,7 +308,7 @@ impl Features {
     /// Returns `true` if later rounds and samples process only the pixels that have a path left or need more samples.
     #[must_use]
     pub fn lists_open(&self) -> bool {
-        self.masks != Masks::Off && (self.rounds > 1 || self.adapts)
+        self.masks != RaySkipping::Off && (self.rounds > 1 || self.adapts)
     }
 
     /// Returns the number of extra columns and rows of a tile, because the corners of its last pixels are shared with the next pixels.

@@ -36,8 +36,8 @@ pub fn all_shots(scene: &Scene) -> usize {
 }
 
 /// Generates the offset of a position from the source of a force.
-pub(super) fn anchors(kinds: &[&source::Kind]) -> Unit {
-    let code = |kind: &source::Kind| source::ANCHORS.iter().position(|other| *other == kind).unwrap_or(0);
+pub(super) fn anchors(kinds: &[&source::SourceKind]) -> Unit {
+    let code = |kind: &source::SourceKind| source::ANCHORS.iter().position(|other| *other == kind).unwrap_or(0);
     let calls: Vec<_> =
         kinds.iter().map(|kind| (format!("{}u", code(kind)), format!("offset_{}(d, along)", kind.name))).collect();
     let signature = "fn anchor_offset(kind: u32, d: Real3, along: Real3) -> Real3";

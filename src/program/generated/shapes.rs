@@ -3,7 +3,7 @@
 use std::fmt::Write as _;
 
 use super::switch::{switch, unit};
-use crate::model::shape::{SOLIDS, Solid};
+use crate::model::shape::{Primitive, SOLIDS};
 use crate::program::regions::Regions;
 use crate::program::unit::Unit;
 use crate::program::{Analysis, PARTS, constant};
@@ -15,7 +15,7 @@ use crate::scene::{Object, Scene};
 ///
 /// If the table does not contain the solid.
 #[must_use]
-pub fn solid_code(solid: &Solid) -> u32 {
+pub fn solid_code(solid: &Primitive) -> u32 {
     let place = SOLIDS.iter().position(|other| other.name == solid.name);
     let place = place.unwrap_or_else(|| panic!("{} is in no table", solid.name));
     place as u32 * (constant("segment/ray", "PRIMITIVE_INDEX") as u32 + 1)
@@ -23,19 +23,23 @@ pub fn solid_code(solid: &Solid) -> u32 {
 
 /// Returns the codes as WGSL.
 #[must_use]
-pub fn solid_codes(solids: &[&Solid]) -> String {
-    let code = |solid: &&Solid| format!("const {}: u32 = {:#x}u;\n", solid.name.to_uppercase(), solid_code(solid));
+pub fn solid_codes(solids: &[&Primitive]) -> String {
+    let code = |solid: &&Primitive| format!("const {}: u32 = {:#x}u;\n", solid.name.to_uppercase(), solid_code(solid));
     solids.iter().map(code).collect()
 }
 
 /// Generates the intersection of a piece with an item of the acceleration structure or a moving object, and the surface of a primitive;
 /// the surface of a moving object is at rest.
-pub(in crate::program) fn shapes(Analysis { structure, .. }: &Analysis, all: &[&Solid], moving: &[&Solid]) -> Unit {
+pub(in crate::program) fn shapes(
+    Analysis { structure, .. }: &Analysis,
+    all: &[&Primitive],
+    moving: &[&Primitive],
+) -> Unit {
     // An instanced item needs more than a kind and an index.
-    let has_kind = |solid: &&&Solid| !(structure.once && solid.lists.is_none());
-    let case = |solid: &&Solid, call: String| (solid.name.to_uppercase(), call);
-    let surface = |solid: &&Solid| format!("surface_{}(primitive & PRIMITIVE_INDEX, x)", solid.name);
-    let fraction = |solid: &&Solid| format!("{}_fraction(item & PRIMITIVE_INDEX, a, d)", solid.name);
+    let has_kind = |solid: &&&Primitive| !(structure.once && solid.lists.is_none());
+    let case = |solid: &&Primitive, call: String| (solid.name.to_uppercase(), call);
+    let surface = |solid: &&Primitive| format!("surface_{}(primitive & PRIMITIVE_INDEX, x)", solid.name);
+    let fraction = |solid: &&Primitive| format!("{}_fraction(item & PRIMITIVE_INDEX, a, d)", solid.name);
     let surfaces: Vec<_> = all.iter().filter(has_kind).map(|solid| case(solid, surface(solid))).collect();
     let travelling: Vec<_> =
         all.iter().filter(|solid| moving.contains(solid)).map(|solid| case(solid, fraction(solid))).collect();
@@ -101,8 +105,8 @@ struct Head {
 pub(in crate::program) fn lists(
     scene: &Scene,
     Analysis { regions, structure }: &Analysis,
-    listed: &[&Solid],
-    sided: &[&Solid],
+    listed: &[&Primitive],
+    sided: &[&Primitive],
 ) -> Unit {
     let mut text =
         String::from("fn piece_hit(a: Real3, b: Real3, best: Hit) -> Hit {\n    let d = b - a;\n    var hit = best;\n");
@@ -123,7 +127,7 @@ pub(in crate::program) fn lists(
 pub(in crate::program) fn near(
     scene: &Scene,
     Analysis { regions, structure }: &Analysis,
-    (listed, sided): (&[&Solid], &[&Solid]),
+    (listed, sided): (&[&Primitive], &[&Primitive]),
     is_processor: bool,
 ) -> Unit {
     let (mut bits, mut fractions, mut primitives) = (String::new(), String::new(), String::new());
@@ -200,7 +204,7 @@ fn list_hit(name: &str, sided: bool, count: Option<usize>) -> String {
 }
 
 /// Counts the static shapes of a solid that scatter rays, if `sided`, or end them.
-pub(super) fn count_of(scene: &Scene, regions: &Regions, solid: &Solid, sided: bool) -> usize {
+pub(super) fn count_of(scene: &Scene, regions: &Regions, solid: &Primitive, sided: bool) -> usize {
     let is = |(i, object): &(usize, &Object)| {
         object.solid() == solid && regions.bit(*i).is_some() == sided && object.travel.is_none()
     };

@@ -9,7 +9,7 @@
 
 use crate::document::reader::{Reader, TableReader};
 use crate::document::values::{Read, number, number_where, text, whole, word};
-use crate::document::{Document, Fault, Node, Place, Value, names};
+use crate::document::{Document, Node, Span, SpannedError, Value, names};
 
 /// The contents of `[animation]`.
 pub struct Tracks {
@@ -26,7 +26,7 @@ pub struct Tracks {
 /// A table `[[animation.tracks]]`.
 struct Track {
     key: String,
-    place: Place,
+    place: Span,
     /// The names that lead to the key.
     path: Vec<String>,
     /// The frames in ascending order; `values` has one value for each.
@@ -48,7 +48,7 @@ pub fn read(root: &TableReader) -> Option<Tracks> {
     for one in table.subtables("tracks", "animation.tracks") {
         let Some(track) = track(one, frames.unwrap_or(1)) else { continue };
         if tracks.iter().any(|other| other.path == track.path) {
-            table.reader.fault(Fault {
+            table.reader.fault(SpannedError {
                 place: track.place,
                 problem: format!("`{}` already has a track", track.key),
                 help: "put all values of the key into one track".to_owned(),

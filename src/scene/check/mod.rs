@@ -81,7 +81,7 @@ impl Scene {
         mistakes.sort_by_key(|m| if m.file == path { (m.line, m.column) } else { (usize::MAX, 0) });
         match scene {
             Some(scene) if mistakes.is_empty() => Ok(scene),
-            _ => Err(SceneError::Mistakes(mistakes)),
+            _ => Err(SceneError::Diagnostics(mistakes)),
         }
     }
 }

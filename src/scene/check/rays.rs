@@ -4,9 +4,9 @@ use glam::DVec3;
 
 use crate::document::reader::TableReader;
 use crate::document::values::{Read, boolean, choice, number_where, positive, text, vector, whole, word};
-use crate::document::{Fault, Node, Value};
+use crate::document::{Node, SpannedError, Value};
 use crate::model::medium::D_LINE;
-use crate::model::method::{self, Demands, Named};
+use crate::model::method::{self, Demands, NamedMethod};
 use crate::model::{Law, control};
 use crate::scene::optics::Optics;
 use crate::scene::{Accelerate, Accuracy, Auto, Bound, Branches, Precision, Rays, Segment};
@@ -113,17 +113,17 @@ fn branching(table: &TableReader, optics: &Optics) -> Branches {
 
 /// Returns the method that the scene specifies or that its other keys imply, or `None` if a calibration chooses it or closed forms suffice;
 /// and `true` if the choice is `auto`.
-fn method(table: &TableReader, optics: &Optics, demands: Demands) -> (Option<Named>, bool) {
+fn method(table: &TableReader, optics: &Optics, demands: Demands) -> (Option<NamedMethod>, bool) {
     let names = method::names();
     let words: Vec<&str> = std::iter::once("auto").chain(names.iter().map(|(name, _)| name.as_str())).collect();
     let Some(chosen) = table.decide("method", None, |node| choice(&words)(node).map(Some)) else {
         // The error is reported, and all keys of methods are accepted.
-        return (Some(Named::plain(default_method(table, optics, demands).unwrap_or(method::PLANNED))), false);
+        return (Some(NamedMethod::plain(default_method(table, optics, demands).unwrap_or(method::PLANNED))), false);
     };
     let named = match chosen {
         Some(0) => None,
         Some(k) => Some(names[k - 1].1),
-        None => default_method(table, optics, demands).map(Named::plain),
+        None => default_method(table, optics, demands).map(NamedMethod::plain),
     };
     match named {
         Some(named) => {
@@ -134,7 +134,7 @@ fn method(table: &TableReader, optics: &Optics, demands: Demands) -> (Option<Nam
             (Some(named), false)
         }
         None if demands.needs_solver => (None, true),
-        None => (Some(Named::plain(method::CLOSED_FORMS)), true),
+        None => (Some(NamedMethod::plain(method::CLOSED_FORMS)), true),
     }
 }
 
@@ -196,7 +196,7 @@ pub fn bound(table: &TableReader) -> Option<Bound> {
         // A plain number is the radius.
         let radius = positive(node).unwrap_or(50.0);
         let help = format!("for example bounding_sphere = {{ radius = {radius} }}");
-        table.reader.fault(Fault { help, ..node.expected("a table") });
+        table.reader.fault(SpannedError { help, ..node.expected("a table") });
         return None;
     }
     let bound = table.reader.open("rays.bounding_sphere", node)?;

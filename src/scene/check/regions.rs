@@ -4,7 +4,7 @@
 //! scene is ambiguous. Points on each surface detect this, so that an overlap smaller than their spacing may be missed.
 
 use crate::document::reader::Reader;
-use crate::document::{Fault, Place};
+use crate::document::{Span, SpannedError};
 use crate::model::{Material, Object, Substance};
 use glam::DVec3;
 
@@ -17,7 +17,7 @@ const TOUCHES: f64 = 1e-6;
 
 /// Replaces objects whose side rays track by their solids. Additional solids of an object come last, so that the indices of all other
 /// objects remain those of the file.
-pub fn solids(objects: Vec<(Place, Object)>, materials: &[Material]) -> Vec<(Place, Object)> {
+pub fn solids(objects: Vec<(Span, Object)>, materials: &[Material]) -> Vec<(Span, Object)> {
     let (mut first, mut more) = (Vec::with_capacity(objects.len()), Vec::new());
     for (place, object) in objects {
         if !is_sided(&object, materials) {
@@ -42,13 +42,13 @@ fn is_sided(object: &Object, materials: &[Material]) -> bool {
 }
 
 /// Reports errors of the interiors of objects, each with its location in the file.
-pub fn check(reader: &Reader, objects: &[(Place, Object)], materials: &[Material]) {
+pub fn check(reader: &Reader, objects: &[(Span, Object)], materials: &[Material]) {
     for (place, object) in objects {
         let is_translucent = |i: usize| materials.get(i).is_some_and(|material| material.surface.facts().opacity < 1.0);
         if object.material().is_some_and(is_translucent) && object.shape.refuses_interior().is_none() {
             let problem = "a closed surface cannot be translucent".to_owned();
             let help = "use a disk or an open mesh, or give its material opacity = 1".to_owned();
-            reader.fault(Fault { place: *place, problem, help });
+            reader.fault(SpannedError { place: *place, problem, help });
         }
     }
     let sided: Vec<_> = objects.iter().filter(|(_, object)| is_sided(object, materials)).collect();
@@ -60,16 +60,16 @@ pub fn check(reader: &Reader, objects: &[(Place, Object)], materials: &[Material
             sided.len() - clear.len()
         );
         let help = "merge those with the same medium or material into one mesh".to_owned();
-        reader.fault(Fault { place: *place, problem, help });
+        reader.fault(SpannedError { place: *place, problem, help });
         return;
     }
     for (i, (place, second)) in clear.iter().enumerate() {
-        let partly = |(_, first): &&&(Place, Object)| same_priority(first, second) && overlap_in_part(first, second);
+        let partly = |(_, first): &&&(Span, Object)| same_priority(first, second) && overlap_in_part(first, second);
         if let Some((first, _)) = clear[..i].iter().find(partly) {
             let problem = "this interior overlaps a different one of the same priority";
             let help =
                 format!("give one of them a higher `priority`; the other object is at line {}", reader.line(*first));
-            reader.fault(Fault { place: *place, problem: problem.to_owned(), help });
+            reader.fault(SpannedError { place: *place, problem: problem.to_owned(), help });
         }
     }
 }

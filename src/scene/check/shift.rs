@@ -3,7 +3,7 @@
 use glam::DVec3;
 
 use crate::document::reader::{Reader, TableReader};
-use crate::document::{Fault, Place};
+use crate::document::{Span, SpannedError};
 use crate::model::{Camera, Filter, Law, Material, Object, matter};
 
 /// The properties of the scene, except the camera, that affect the light and the orbits of matter.
@@ -43,7 +43,7 @@ pub fn check(root: &TableReader, camera: Option<&Camera>, rest: &Rest) {
 }
 
 /// Checks that orbiting matter is in the plane of its orbits.
-pub fn check_discs(reader: &Reader, placed: &[(Place, Object)], materials: &[Material], law: &dyn Law) {
+pub fn check_discs(reader: &Reader, placed: &[(Span, Object)], materials: &[Material], law: &dyn Law) {
     /// The largest sine of the angle between the two planes, and the largest distance between them relative to the size of the disk.
     const OFF: f64 = 1e-3;
     let Some([center, axis]) = law.equator() else { return };
@@ -54,7 +54,7 @@ pub fn check_discs(reader: &Reader, placed: &[(Place, Object)], materials: &[Mat
         let across = map.matrix3.x_axis.cross(map.matrix3.z_axis).normalize_or_zero();
         let height = (map.translation - center).dot(axis).abs();
         if material.surface.facts().orbits && (across.cross(axis).length() > OFF || height > OFF * object.ball().1) {
-            reader.fault(Fault {
+            reader.fault(SpannedError {
                 place: *place,
                 problem: format!(
                     "`{}` orbits the axis of the law, and this object is not perpendicular to that axis",

@@ -22,7 +22,7 @@ use super::SceneError;
 use crate::assets::json::mesh::{Mode, Semantic};
 use crate::assets::json::validation::Checked::Valid;
 use crate::assets::json::{Root, mesh::Primitive};
-use crate::assets::{Gltf, NodeName, Part, Placed, Source, Wanted, names};
+use crate::assets::{Gltf, MeshRequest, NodeName, Part, Placed, Source, names};
 use crate::model::shape::{Shape, Triangles, round_up};
 use surfaces::Surfaces;
 use text::{Left, number, quoted, relative, vector};
@@ -138,7 +138,7 @@ fn objects(
             let triangles = match read.entry(source) {
                 Entry::Occupied(known) => known.into_mut(),
                 Entry::Vacant(free) => {
-                    let mesh = file.read(free.key(), Wanted::CREASE)?;
+                    let mesh = file.read(free.key(), MeshRequest::CREASE)?;
                     free.insert(Triangles(Arc::new(mesh)))
                 }
             };

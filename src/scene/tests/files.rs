@@ -3,7 +3,7 @@
 use super::{Scene, mistakes_of};
 use crate::assets::Files;
 use crate::model::medium::Grid;
-use crate::scene::{Interior, Mesh, Mistake, Pattern, Picture, SceneError, Sky, Substance};
+use crate::scene::{Diagnostic, Interior, Mesh, Pattern, Picture, SceneError, Sky, Substance};
 use glam::{Vec2, Vec3};
 use image::{DynamicImage, GrayImage, ImageFormat, Luma, Rgb, Rgb32FImage, RgbImage};
 use std::fs;
@@ -14,9 +14,9 @@ fn mesh(text: &str) -> Mesh {
     Mesh::parse(text, Path::new("a.obj")).unwrap_or_else(|e| panic!("{e}"))
 }
 
-fn wrong(text: &str) -> Vec<Mistake> {
+fn wrong(text: &str) -> Vec<Diagnostic> {
     match Mesh::parse(text, Path::new("a.obj")) {
-        Err(SceneError::Mistakes(mistakes)) => mistakes,
+        Err(SceneError::Diagnostics(mistakes)) => mistakes,
         other => panic!("{other:?}"),
     }
 }

@@ -8,7 +8,7 @@ use base64::engine::general_purpose::STANDARD;
 use glam::{DVec3, Vec2, Vec3};
 use serde_json::{Value, json};
 
-use crate::assets::{Gltf, NodeName, Part, Wanted};
+use crate::assets::{Gltf, MeshRequest, NodeName, Part};
 use crate::scene::{Files, Mesh, Scene, SceneError};
 
 /// A file under construction: its binary data and the views of it.
@@ -246,7 +246,7 @@ fn parts_are_chosen_by_name_and_number() {
     let file = Gltf::open(made.glb(&rest), &path).unwrap_or_else(|error| panic!("{error}"));
     let ask = |node: Option<NodeName>, primitive: Option<u32>| -> Result<DVec3, String> {
         let (source, place) = file.find(&Part { node, primitive }).map_err(|error| error.to_string())?;
-        let mesh = file.read(&source, Wanted::CREASE).map_err(|error| error.to_string())?;
+        let mesh = file.read(&source, MeshRequest::CREASE).map_err(|error| error.to_string())?;
         Ok(place.transform_point3(mesh.vertices[0].position.as_dvec3()))
     };
     let named = |name: &str| Some(NodeName::Name(name.to_owned()));

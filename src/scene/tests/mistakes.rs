@@ -35,7 +35,7 @@ fn all_mistakes_are_found_in_one_run_in_the_order_of_the_file() {
     let mistakes = mistakes_of(parse(text));
     let lines: Vec<usize> = mistakes.iter().map(|m| m.line).collect();
     assert_eq!(lines, [1, 3, 4, 7, 7, 10, 11, 12, 14, 16, 19, 20, 20]);
-    let shown = SceneError::Mistakes(mistakes).to_string();
+    let shown = SceneError::Diagnostics(mistakes).to_string();
     assert!(shown.ends_with("13 errors"), "{shown}");
 }
 
@@ -43,7 +43,7 @@ fn all_mistakes_are_found_in_one_run_in_the_order_of_the_file() {
 fn a_mistake_shows_its_line() {
     let text = format!("{RAYS}[materials.red]\n[[objects]]\nshape = \"sphere\"\nmaterial = \"red\"\n  raduis = 3\n");
     assert_eq!(
-        SceneError::Mistakes(mistakes_of(parse(&text))).to_string(),
+        SceneError::Diagnostics(mistakes_of(parse(&text))).to_string(),
         "scene.toml:7:3: unknown key `raduis`\n    raduis = 3\n    ^^^^^^\n    help: use `radius`; valid keys: shape, \
          center, radius, translate, rotate, scale, material, interior, orbit, velocity\n\n1 error"
     );

@@ -5,7 +5,7 @@ use std::fmt::Write as _;
 use glam::{DVec2, DVec3, Vec3};
 
 use super::{good, marked};
-use crate::assets::Wanted;
+use crate::assets::MeshRequest;
 use crate::scene::Mesh;
 
 /// Returns a sphere of n rings and 2n sectors, with vertices repeated for every face as in STL.
@@ -50,7 +50,7 @@ fn mesh(text: &str, crease: f64) -> Mesh {
 #[test]
 fn a_globe_is_smooth() {
     let text = globe(24);
-    let smooth = mesh(&text, Wanted::CREASE);
+    let smooth = mesh(&text, MeshRequest::CREASE);
     let mut bound = 0.0_f64;
     for triangle in &smooth.triangles {
         let [a, b, c] = triangle.map(|i| smooth.vertices[i as usize].position.as_dvec3());
@@ -74,7 +74,7 @@ fn a_globe_is_smooth() {
 fn a_cube_is_sharp_until_it_is_told_not_to() {
     let text = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\nf 1 4 3 2\nf 5 6 7 8\nf 1 2 6 5\n\
                 f 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n";
-    let sharp = mesh(text, Wanted::CREASE);
+    let sharp = mesh(text, MeshRequest::CREASE);
     assert_eq!(sharp.vertices.len(), 24);
     assert!(sharp.vertices.iter().all(|v| [Vec3::X, Vec3::Y, Vec3::Z].contains(&v.normal.abs())));
     assert_eq!(mesh(text, 89.9).vertices, sharp.vertices);

@@ -5,7 +5,7 @@
 use super::{Scene, mistakes_of};
 use crate::model::law::InMedium;
 use crate::model::medium::Layers;
-use crate::scene::{Medium, Mistake, Profile, SceneError};
+use crate::scene::{Diagnostic, Medium, Profile, SceneError};
 use std::fs;
 use std::path::Path;
 
@@ -15,9 +15,9 @@ fn through(points: &[[f64; 2]]) -> Profile {
     Profile::through(points).unwrap_or_else(|flaw| panic!("{flaw:?}"))
 }
 
-fn wrong(text: &str) -> Vec<Mistake> {
+fn wrong(text: &str) -> Vec<Diagnostic> {
     match Profile::parse(text, Path::new("air.csv")) {
-        Err(SceneError::Mistakes(mistakes)) => mistakes,
+        Err(SceneError::Diagnostics(mistakes)) => mistakes,
         other => panic!("{other:?}"),
     }
 }

@@ -13,8 +13,8 @@ use crate::model::method::{self, Method};
 use crate::model::shape::Plane;
 use crate::scene::check::scene;
 use crate::scene::{
-    CameraFrame, Control, Light, LightSource, Pattern, REFERENCE, Scene, SceneError, Segment, Sky, Stereo,
-    StereoLayout, TEMPLATES, reference_markdown,
+    Control, Light, LightSource, Observer, Pattern, REFERENCE, Scene, SceneError, Segment, Sky, Stereo, StereoLayout,
+    TEMPLATES, reference_markdown,
 };
 use glam::{DVec2, DVec3};
 use std::collections::BTreeSet;
@@ -135,7 +135,7 @@ fn a_camera_has_orthonormal_axes() {
     assert_eq!(camera.right, DVec3::X);
     assert_eq!(camera.up, DVec3::Y);
     assert_eq!(camera.projection.downcast(), Some(&Pinhole { fov: 50.0 }));
-    assert_eq!(camera.frame, CameraFrame::Coordinate);
+    assert_eq!(camera.frame, Observer::Coordinate);
     let scene = good(&format!("{RAYS}[camera]\nposition = [1, 3, 4]\nup = [3, 1, 0]"));
     let camera = scene.camera.expect("a camera");
     let axes = glam::DMat3::from_cols(camera.right, camera.up, -camera.forward);
@@ -213,7 +213,7 @@ fn laws_and_methods_become_values() {
     let scene = good(KINDS[3]);
     assert_eq!(scene.rays.method, Method { own: 0.001, ..method_from("snell") });
     assert_eq!(scene.rays.control, scaled::with(0.1));
-    assert_eq!(good(KINDS[4]).camera.expect("a camera").frame, CameraFrame::Static);
+    assert_eq!(good(KINDS[4]).camera.expect("a camera").frame, Observer::Static);
 }
 
 #[test]

@@ -7,7 +7,7 @@ use std::cell::OnceCell;
 use std::fmt::Display;
 use std::path::{Path, PathBuf};
 
-use bentray::assets::{Bare, Spacetime, Stored, Use};
+use bentray::assets::{GridUse, RawGridLayout, Spacetime, Stored};
 use bentray::glam::{DMat3, DVec3, DVec4};
 use bentray::gpu::Geometry;
 use bentray::output::{assemble, csv, picture, said, settings_of};
@@ -232,10 +232,10 @@ fn gltf(bytes: &[u8]) {
 
 fn grid(bytes: &[u8]) {
     let corners = Some([DVec3::ZERO, DVec3::ONE]);
-    let bare = Bare { size: [2, 2, 3], stored: Stored::U16, little: true };
+    let bare = RawGridLayout { size: [2, 2, 3], stored: Stored::U16, little: true };
     with_file("a.nrrd", bytes, |path| {
         for (bare, corners) in [(None, None), (None, corners), (Some(bare), corners)] {
-            let Some(grid) = shown(IndexGrid::load(path, &Use { bare, corners, scale: 0.5, offset: 1.0 })) else {
+            let Some(grid) = shown(IndexGrid::load(path, &GridUse { bare, corners, scale: 0.5, offset: 1.0 })) else {
                 continue;
             };
             assert_eq!(grid.samples.len() as u64, grid.size.iter().map(|n| u64::from(*n)).product::<u64>());

@@ -6,7 +6,7 @@ use glam::{DAffine3, DVec2, DVec3};
 
 /// The shapes that the tracer knows.
 #[derive(Debug, Clone, Copy, PartialEq)]
-enum Solid {
+enum Primitive {
     /// |p| ≤ 1.
     Ball,
     /// |x|, |y|, |z| ≤ 1.
@@ -22,7 +22,7 @@ enum Solid {
 /// A shape in its place.
 #[derive(Debug, Clone, Copy)]
 pub struct Body {
-    solid: Solid,
+    solid: Primitive,
     /// From the scene's space to the shape's own.
     inward: DAffine3,
 }
@@ -32,11 +32,11 @@ impl Body {
     pub fn new(object: &Object) -> Self {
         let shape = &object.shape;
         let known = [
-            shape.downcast().map(|Sphere| Solid::Ball),
-            shape.downcast().map(|Cuboid| Solid::Cube),
-            shape.downcast().map(|Cylinder| Solid::Rod),
-            shape.downcast().map(|Plane| Solid::Square),
-            shape.downcast().map(|Disk { hole }| Solid::Ring { hole: *hole }),
+            shape.downcast().map(|Sphere| Primitive::Ball),
+            shape.downcast().map(|Cuboid| Primitive::Cube),
+            shape.downcast().map(|Cylinder| Primitive::Rod),
+            shape.downcast().map(|Plane| Primitive::Square),
+            shape.downcast().map(|Disk { hole }| Primitive::Ring { hole: *hole }),
         ];
         let solid = known.into_iter().flatten().next().expect("the tracer knows no such shape");
         Self { solid, inward: object.transform.0.inverse() }
@@ -51,37 +51,37 @@ impl Body {
     /// open, the side.
     pub fn level(&self, p: DVec3) -> f64 {
         match self.solid {
-            Solid::Ball => p.length() - 1.0,
-            Solid::Cube => p.abs().max_element() - 1.0,
-            Solid::Rod => p.x.hypot(p.z).max(p.y.abs()) - 1.0,
-            Solid::Square | Solid::Ring { .. } => p.y,
+            Primitive::Ball => p.length() - 1.0,
+            Primitive::Cube => p.abs().max_element() - 1.0,
+            Primitive::Rod => p.x.hypot(p.z).max(p.y.abs()) - 1.0,
+            Primitive::Square | Primitive::Ring { .. } => p.y,
         }
     }
 
     /// Is a point at level 0 a point of the surface?
     pub fn reaches(&self, p: DVec3) -> bool {
         match self.solid {
-            Solid::Square => p.x.abs().max(p.z.abs()) <= 1.0,
-            Solid::Ring { hole } => (hole..=1.0).contains(&p.x.hypot(p.z)),
-            Solid::Ball | Solid::Cube | Solid::Rod => true,
+            Primitive::Square => p.x.abs().max(p.z.abs()) <= 1.0,
+            Primitive::Ring { hole } => (hole..=1.0).contains(&p.x.hypot(p.z)),
+            Primitive::Ball | Primitive::Cube | Primitive::Rod => true,
         }
     }
 
     /// Has it no inside?
     pub fn is_open(&self) -> bool {
-        matches!(self.solid, Solid::Square | Solid::Ring { .. })
+        matches!(self.solid, Primitive::Square | Primitive::Ring { .. })
     }
 
     /// Where the line x + t d enters and leaves; what is open is left where it is entered.
     pub fn span(&self, x: DVec3, d: DVec3) -> Option<[f64; 2]> {
         let (p, d) = (self.own(x), self.inward.transform_vector3(d));
         match self.solid {
-            Solid::Ball => round(p, d),
-            Solid::Cube => {
+            Primitive::Ball => round(p, d),
+            Primitive::Cube => {
                 let walls = [slab(p.x, d.x)?, slab(p.y, d.y)?, slab(p.z, d.z)?];
                 both(both(walls[0], walls[1])?, walls[2])
             }
-            Solid::Rod => {
+            Primitive::Rod => {
                 let across = DVec3::new(1.0, 0.0, 1.0);
                 let walls = slab(p.y, d.y)?;
                 if d.x == 0.0 && d.z == 0.0 {
@@ -89,7 +89,7 @@ impl Body {
                 }
                 both(round(p * across, d * across)?, walls)
             }
-            Solid::Square | Solid::Ring { .. } => {
+            Primitive::Square | Primitive::Ring { .. } => {
                 let t = -p.y / d.y;
                 (d.y != 0.0 && self.reaches(p + t * d)).then_some([t, t])
             }
@@ -100,14 +100,14 @@ impl Body {
     pub fn normal(&self, x: DVec3) -> DVec3 {
         let p = self.own(x);
         let gradient = match self.solid {
-            Solid::Ball => p,
-            Solid::Cube => {
+            Primitive::Ball => p,
+            Primitive::Cube => {
                 let axis = p.abs().max_position();
                 DVec3::AXES[axis] * p[axis].signum()
             }
-            Solid::Rod if p.y.abs() > p.x.hypot(p.z) => DVec3::Y * p.y.signum(),
-            Solid::Rod => DVec3::new(p.x, 0.0, p.z),
-            Solid::Square | Solid::Ring { .. } => DVec3::Y,
+            Primitive::Rod if p.y.abs() > p.x.hypot(p.z) => DVec3::Y * p.y.signum(),
+            Primitive::Rod => DVec3::new(p.x, 0.0, p.z),
+            Primitive::Square | Primitive::Ring { .. } => DVec3::Y,
         };
         (self.inward.matrix3.transpose() * gradient).normalize()
     }
@@ -119,19 +119,19 @@ impl Body {
         let turn = 0.5 + p.x.atan2(p.z) / (2.0 * PI);
         let rho = p.x.hypot(p.z);
         match self.solid {
-            Solid::Ball => DVec2::new(turn, 0.5 + p.y.atan2(rho) / PI),
+            Primitive::Ball => DVec2::new(turn, 0.5 + p.y.atan2(rho) / PI),
             // Upright and not mirrored as seen from outside.
-            Solid::Cube => {
+            Primitive::Cube => {
                 let axis = p.abs().max_position();
                 let side = p[axis].signum();
                 let q = [DVec2::new(-side * p.z, p.y), DVec2::new(p.x, -side * p.z), DVec2::new(side * p.x, p.y)];
                 0.5 + 0.5 * q[axis]
             }
             // Over the lower face outwards, up the mantle, over the upper face inwards.
-            Solid::Rod if p.y.abs() <= rho => DVec2::new(turn, 0.5 + 0.5 * p.y),
-            Solid::Rod => DVec2::new(turn, if p.y > 0.0 { 1.0 - rho } else { rho }),
-            Solid::Square => DVec2::new(0.5 + 0.5 * p.x, 0.5 - 0.5 * p.z),
-            Solid::Ring { hole } => DVec2::new(turn, (1.0 - rho) / (1.0 - hole)),
+            Primitive::Rod if p.y.abs() <= rho => DVec2::new(turn, 0.5 + 0.5 * p.y),
+            Primitive::Rod => DVec2::new(turn, if p.y > 0.0 { 1.0 - rho } else { rho }),
+            Primitive::Square => DVec2::new(0.5 + 0.5 * p.x, 0.5 - 0.5 * p.z),
+            Primitive::Ring { hole } => DVec2::new(turn, (1.0 - rho) / (1.0 - hole)),
         }
     }
 }

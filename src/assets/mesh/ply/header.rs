@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use super::super::text::{Mistakes, Wrong, words};
+use super::super::text::{Diagnostics, Wrong, words};
 use crate::assets::Stored;
 use crate::document::{SceneError, unmarked};
 
@@ -90,7 +90,7 @@ pub(super) fn read(bytes: &[u8], path: &Path) -> Result<Header, SceneError> {
     match parse(front, &text) {
         Ok(header) => Ok(Header { length: mark + header.length, ..header }),
         Err(wrong) => {
-            let mut mistakes = Mistakes::of(&text, path);
+            let mut mistakes = Diagnostics::of(&text, path);
             mistakes.add(wrong);
             Err(mistakes.error())
         }

@@ -17,7 +17,7 @@ use glam::{DVec3, Vec2};
 
 use super::bytes::usable;
 use super::raw::{Corner, MOST_CORNERS, Raw, too_many};
-use super::text::Mistakes;
+use super::text::Diagnostics;
 use super::{Format, Read, Reading};
 use crate::document::{SceneError, lenient_text};
 use header::{CORNERS, Element, Encoding, Header, Property};
@@ -38,7 +38,7 @@ fn read(bytes: &[u8], path: &Path, reading: Reading) -> Result<Raw, SceneError> 
             let front = lenient_text(&bytes[..header.length], path)?.len();
             let mut words = Words::of(&whole[front..], reading.stage);
             if let Err(Wrong { problem, help }) = mesh.elements(&header, &mut words) {
-                let mut mistakes = Mistakes::of(&whole, path);
+                let mut mistakes = Diagnostics::of(&whole, path);
                 mistakes.add((words.last(), problem, help));
                 return Err(mistakes.error());
             }

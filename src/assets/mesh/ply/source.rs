@@ -3,7 +3,7 @@
 use super::super::bytes::Bytes;
 use super::header::{Element, Property};
 use crate::assets::Stored;
-use crate::assets::flaw::{Flaw, are_padding};
+use crate::assets::flaw::{FormatError, are_padding};
 use crate::progress::Stage;
 
 /// An error at the current position of a source.
@@ -164,9 +164,9 @@ impl<'a> Binary<'a> {
         Self { bytes: Bytes::from(bytes, at), last: at, is_big, stage }
     }
 
-    pub fn flaw(&self, wrong: &Wrong) -> Flaw {
+    pub fn flaw(&self, wrong: &Wrong) -> FormatError {
         let help = if wrong.help.is_empty() { String::new() } else { format!(" ({})", wrong.help) };
-        Flaw::at(self.last, &format!("{}{help}", wrong.problem))
+        FormatError::at(self.last, &format!("{}{help}", wrong.problem))
     }
 }
 

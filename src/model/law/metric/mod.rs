@@ -15,7 +15,7 @@ use std::sync::Arc;
 use glam::{DMat3, DMat4, DVec3, DVec4};
 
 use super::observer::{four_velocity, light_speed};
-use super::{CameraFrame, Facts, Form, Invariant, Kind, Law, Order, Throat};
+use super::{Facts, Form, Invariant, Kind, Law, Observer, Order, Throat};
 use crate::assets::{LineElement, Spot};
 use crate::document::keys;
 use crate::model::{Binding, Wgsl, row};
@@ -242,12 +242,10 @@ impl Law for Metric {
         self.element.scale(self.spot(x, 0.0))
     }
 
-    fn observer(&self, frame: CameraFrame, at: DVec3) -> Option<Result<DVec4, [String; 2]>> {
+    fn observer(&self, frame: Observer, at: DVec3) -> Option<Result<DVec4, [String; 2]>> {
         let found = match frame {
-            CameraFrame::Coordinate => return None,
-            CameraFrame::Zamo | CameraFrame::ProgradeOrbit | CameraFrame::RetrogradeOrbit
-                if !self.is_axisymmetric() =>
-            {
+            Observer::Coordinate => return None,
+            Observer::Zamo | Observer::ProgradeOrbit | Observer::RetrogradeOrbit if !self.is_axisymmetric() => {
                 let problem = "cannot orbit, because the line element is not axisymmetric";
                 return Some(Err(says_none(problem, "use observer = \"boosted\" or \"eulerian\"")));
             }
@@ -257,15 +255,13 @@ impl Law for Metric {
             }
         };
         Some(found.ok_or_else(|| match frame {
-            CameraFrame::Static => {
-                says_none("is where nothing can be static", "use observer = \"eulerian\", or move it")
-            }
-            CameraFrame::Boosted(_) => says_none("moves faster than light", "use a velocity below 1"),
-            CameraFrame::ProgradeOrbit | CameraFrame::RetrogradeOrbit => says_none(
+            Observer::Static => says_none("is where nothing can be static", "use observer = \"eulerian\", or move it"),
+            Observer::Boosted(_) => says_none("moves faster than light", "use a velocity below 1"),
+            Observer::ProgradeOrbit | Observer::RetrogradeOrbit => says_none(
                 "is not on a circular orbit of matter",
                 "circular orbits are in the plane z = 0, outside the innermost one",
             ),
-            CameraFrame::Infalling => {
+            Observer::Infalling => {
                 let problem = "falls, and a line element does not define the starting point";
                 says_none(problem, "use observer = \"boosted\" and camera.velocity")
             }

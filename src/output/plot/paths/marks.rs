@@ -7,7 +7,7 @@ use kurbo::{Point, Rect, Shape, Size, Vec2};
 use super::contents::{PathLine, PathPlot};
 use super::view::View;
 use crate::output::plot::canvas::{Align, Canvas, Fill, TEXT_SIZE, text_width};
-use crate::output::plot::style::Look;
+use crate::output::plot::style::Style;
 
 /// The distance from a marker to its label, in pixels.
 const GAP: f64 = 20.0;
@@ -77,7 +77,7 @@ pub(super) fn foci(canvas: &mut Canvas, view: &View, plot: &PathPlot, labels: &m
         plot.foci.iter().map(|focus| Some(view.at(focus.place)).filter(|at| view.shows(*at))).collect();
     for at in places.iter().flatten() {
         labels.keep_off(*at);
-        Look::FOCUS.mark(canvas, *at);
+        Style::FOCUS.mark(canvas, *at);
     }
     for (i, at) in places.iter().enumerate() {
         if let Some(at) = at {
@@ -99,7 +99,7 @@ pub(super) fn windings(
     let about = view.at(*about);
     if view.shows(about) {
         labels.keep_off(about);
-        Look::CENTER.mark(canvas, about);
+        Style::CENTER.mark(canvas, about);
     }
     let ends_at = |line: &PathLine, at: Point| line.curve.end().is_some_and(|p| view.at(p).distance(at) < 1.0);
     let seen =

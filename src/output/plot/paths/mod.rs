@@ -18,7 +18,7 @@ use self::view::View;
 use super::canvas::Canvas;
 use super::legend::Legend;
 use super::sheet::Sheet;
-use super::style::Look;
+use super::style::Style;
 use crate::output::OutputError;
 
 /// The distance from the plane, relative to the extent of the points, above which a note reports a ray.
@@ -41,7 +41,7 @@ fn sheet<'l>(plot: &PathPlot, legend: &'l Legend) -> Sheet<'l> {
 }
 
 fn legend(plot: &PathPlot, bound: bool) -> Legend {
-    let statuses = plot.statuses().into_iter().enumerate().map(|(i, status)| (status.to_owned(), Look::of(i)));
+    let statuses = plot.statuses().into_iter().enumerate().map(|(i, status)| (status.to_owned(), Style::of(i)));
     let mut entries: Vec<_> = statuses.collect();
     let mut kinds: Vec<SurfaceKind> = Vec::new();
     for surface in &plot.surfaces {
@@ -50,8 +50,8 @@ fn legend(plot: &PathPlot, bound: bool) -> Legend {
             entries.push((surface.kind.name().to_owned(), strokes::look(surface.kind)));
         }
     }
-    entries.extend(plot.attractor.is_some().then(|| ("attractor".to_owned(), Look::BEHIND)));
-    entries.extend(bound.then(|| ("bound".to_owned(), Look::ASIDE)));
+    entries.extend(plot.attractor.is_some().then(|| ("attractor".to_owned(), Style::BEHIND)));
+    entries.extend(bound.then(|| ("bound".to_owned(), Style::ASIDE)));
     let points = || plot.lines.iter().flat_map(|line| &line.curve.0).map(|arc| arc[3]);
     let extent = points().map(|p| p.distance(plot.plane.point)).fold(0.0, f64::max);
     let leaves = points().any(|p| plot.plane.height(p).abs() > OFF_PLANE * extent);
@@ -61,17 +61,17 @@ fn legend(plot: &PathPlot, bound: bool) -> Legend {
 
 fn draw(canvas: &mut Canvas, view: &View, plot: &PathPlot) {
     let statuses = plot.statuses();
-    let look = |line: &PathLine| Look::of(statuses.iter().position(|s| *s == line.status).unwrap_or(0));
+    let look = |line: &PathLine| Style::of(statuses.iter().position(|s| *s == line.status).unwrap_or(0));
     let mut ends = Vec::new();
     canvas.clipped(view.window, |canvas| {
         if let Some(attractor) = &plot.attractor {
-            strokes::line(canvas, view, attractor, Look::BEHIND);
+            strokes::line(canvas, view, attractor, Style::BEHIND);
         }
         for surface in &plot.surfaces {
             strokes::fill(canvas, view, surface);
         }
         if let Some(bound) = plot.bound {
-            Look::ASIDE.stroke(canvas, &strokes::bound(view, bound));
+            Style::ASIDE.stroke(canvas, &strokes::bound(view, bound));
         }
         for surface in &plot.surfaces {
             strokes::outline(canvas, view, surface);

@@ -9,7 +9,7 @@ use super::contents::{CrossSection, SurfaceKind};
 use super::view::View;
 use crate::measure::Curve;
 use crate::output::plot::canvas::Canvas;
-use crate::output::plot::style::{Look, ring};
+use crate::output::plot::style::{Style, ring};
 
 /// The distance from the chord in pixels below which an arc is drawn as a line.
 const FLAT: f64 = 0.02;
@@ -59,14 +59,14 @@ fn polygon(view: &View, corners: &[DVec3]) -> BezPath {
 }
 
 /// Draws the visible part of a curve, and returns its arcs.
-pub(super) fn line(canvas: &mut Canvas, view: &View, curve: &Curve, look: Look) -> Vec<PathSeg> {
+pub(super) fn line(canvas: &mut Canvas, view: &View, curve: &Curve, look: Style) -> Vec<PathSeg> {
     let seen: Vec<PathSeg> = curve.0.iter().flat_map(|arc| view.visible(segment(arc.map(|p| view.at(p))))).collect();
     look.stroke(canvas, &thinned(&seen));
     seen
 }
 
 /// Strokes a ray's path with an arrow, and returns its last visible position and its direction there.
-pub(super) fn path(canvas: &mut Canvas, view: &View, curve: &Curve, look: Look) -> Option<[Point; 2]> {
+pub(super) fn path(canvas: &mut Canvas, view: &View, curve: &Curve, look: Style) -> Option<[Point; 2]> {
     let seen = line(canvas, view, curve, look);
     if let Some(head) = arrow(&seen) {
         canvas.draw(&head, Some(look.fill(1.0)), None);
@@ -126,12 +126,12 @@ fn direction(segment: &PathSeg, t: f64) -> Vec2 {
 }
 
 /// Returns the style of a surface.
-pub(super) fn look(kind: SurfaceKind) -> Look {
+pub(super) fn look(kind: SurfaceKind) -> Style {
     match kind {
-        SurfaceKind::Opaque => Look::SOLID,
-        SurfaceKind::Medium => Look::GLASS,
-        SurfaceKind::Capture(_) => Look::HOLE,
-        SurfaceKind::Limit(_) => Look::LIMIT,
+        SurfaceKind::Opaque => Style::SOLID,
+        SurfaceKind::Medium => Style::GLASS,
+        SurfaceKind::Capture(_) => Style::HOLE,
+        SurfaceKind::Limit(_) => Style::LIMIT,
     }
 }
 
