@@ -62,7 +62,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let gpu = Gpu::open(None)?;
     let mut scene = Scene::new(Trap { stiffness: 0.25 }, 50.0);
     // One revolution.
-    scene.rays.length = Some(std::f64::consts::TAU / 0.5);
+    scene.rays.max_parameter = Some(std::f64::consts::TAU / 0.5);
     let rays = [[3.0, 0.0, 0.0, 0.0, 1.0, 0.0], [0.0, 2.0, 1.0, 0.5, 0.0, 0.3]];
     let (ends, totals) = trace(&gpu, &scene, &RenderSettings::default(), &rays)?;
     println!("{totals}");

@@ -13,7 +13,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let hole = RoundHole::new(1.0, DVec3::ZERO);
     let mut scene = Scene::new(hole, 1000.0);
     // Continue the rays to infinity at both ends, in closed form.
-    scene.rays.asymptotic = true;
+    scene.rays.sky_at_infinity = true;
     let impacts = [6.0, 10.0, 30.0, 100.0, 300.0];
     let rays = impacts.map(|b| [-2000.0, b, 0.0, 1.0, 0.0, 0.0]);
     let (ends, _) = trace(&gpu, &scene, &RenderSettings::default(), &rays)?;

@@ -92,7 +92,7 @@ impl Asked {
 /// can show, and a grid of light has as many paths as make no noise that is seen.
 fn smaller(asked: &Asked) -> Vec<Override> {
     let scene = asked.load(None);
-    let (samples, size) = if scene.rays.paths.is_some() {
+    let (samples, size) = if scene.rays.path_tracing.is_some() {
         (64, 32)
     } else if scene.has_lobes() || scene.is_occluded() {
         (16, 32)

@@ -64,8 +64,14 @@ fn lens_scenes_load() {
             let scene = scene(&lens_scene(&lens, rays));
             assert!(scene.objects[0].interior().is_some(), "{}", lens.name);
             // The ray starts inside the bound, and ends on it.
-            assert!(lens.origin.distance(scene.rays.bound.center) < scene.rays.bound.radius, "{}", lens.name);
-            let end = lens.end().map_or(1.0, |(x, _)| x.distance(scene.rays.bound.center) / scene.rays.bound.radius);
+            assert!(
+                lens.origin.distance(scene.rays.bounding_sphere.center) < scene.rays.bounding_sphere.radius,
+                "{}",
+                lens.name
+            );
+            let end = lens.end().map_or(1.0, |(x, _)| {
+                x.distance(scene.rays.bounding_sphere.center) / scene.rays.bounding_sphere.radius
+            });
             assert!((end - 1.0).abs() < 1e-14, "{}: {end}", lens.name);
         }
     }

@@ -124,8 +124,8 @@ fn every_schedule_gives_the_same_bits() {
     let mut scene = scene(&room("kind = \"straight\"", [true, true], true).replace("samples = 256", "samples = 3"));
     scene.rays.max_segments = 120;
     for aim in [true, false] {
-        if let Some(paths) = &mut scene.rays.paths {
-            paths.aim = aim;
+        if let Some(paths) = &mut scene.rays.path_tracing {
+            paths.light_sampling = aim;
         }
         let layers = vec![Layer::StandardError, Layer::Normal];
         let of = |schedule, masks| Choice { schedule, masks, layers: layers.clone(), ..Choice::default() };
@@ -158,8 +158,8 @@ fn every_schedule_gives_the_same_bits() {
 #[test]
 fn depth_cuts_paths() {
     let mut scene = scene(&furnace("kind = \"straight\"", "[0.3, 0.1, 0]", ""));
-    let Some(paths) = &mut scene.rays.paths else { panic!() };
-    paths.depth = Some(3);
+    let Some(paths) = &mut scene.rays.path_tracing else { panic!() };
+    paths.max_depth = Some(3);
     let picture = rendered(&scene, RenderSettings::default());
     let expected = 0.5 * (1.0 + 0.5 + 0.25 + 0.125);
     assert!(picture.band.color[0].iter().all(|x| (x - expected).abs() < 1e-6));

@@ -32,7 +32,7 @@ fn state_on_the_device_is_small() {
         let fused = || Choice { schedule: Schedule::Fused, ..Choice::default() };
         let plain = bytes(&scene, &fused());
         // W, where a path ends by τ, in two slots.
-        let most = if scene.rays.length.is_some() { 104 + 2 * 16 } else { 104 };
+        let most = if scene.rays.max_parameter.is_some() { 104 + 2 * 16 } else { 104 };
         assert!(plain <= most, "{}: {plain} bytes a pixel", path.display());
         let layered = bytes(&scene, &Choice { layers: Layer::ALL.to_vec(), ..fused() });
         // Depth, segments, object, status, steps and redshift at 4 bytes, two vectors at 12; the steps, rejections and lengths that are summed

@@ -79,8 +79,8 @@ fn only_what_is_bright_in_the_sky_is_aimed_at() {
             picture.pixels = std::sync::Arc::new(pixels.collect());
         }
         assert_eq!(scene.aims_at_sky(), aimed);
-        if let Some(paths) = &mut scene.rays.paths {
-            paths.aim = false;
+        if let Some(paths) = &mut scene.rays.path_tracing {
+            paths.light_sampling = false;
         }
         assert!(!scene.aims_at_sky());
     }

@@ -138,7 +138,7 @@ fn cameras_fall_by_their_own_clocks() {
         assert!(camera.position.distance(dvec3(0.0, -r, 0.0)) < 1e-7, "{proper}: {}", camera.position);
         let law = seen(0.0).law;
         let [own, told] =
-            [camera.frame, Observer::Infalling].map(|frame| law.observer(frame, camera.position).unwrap().unwrap());
+            [camera.observer, Observer::Infalling].map(|frame| law.observer(frame, camera.position).unwrap().unwrap());
         assert!(own.distance(told) < 1e-6, "{own} {told}");
     }
 }

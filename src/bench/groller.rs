@@ -103,7 +103,7 @@ fn measured(bench: &Bench, scene: &Scene) -> Result<Measured, RenderError> {
     let mut renderer =
         Renderer::new(bench.gpu, scene, RenderSettings { choice, apart: true, ..RenderSettings::default() })?;
     let mut segments = 0;
-    let slow = scene.rays.accelerate == Accelerate::None;
+    let slow = scene.rays.acceleration == Accelerate::None;
     let times = Times::of(if slow { 1 } else { bench.repeats }, || {
         let totals = renderer.picture()?.totals;
         segments = totals.segments;
@@ -125,7 +125,7 @@ fn scene(
     );
     let mut scene = own_scene(&text)?;
     scene.objects[0].shape = Arc::new(Triangles(mesh.clone()));
-    scene.rays.accelerate = accelerate;
+    scene.rays.acceleration = accelerate;
     Ok(scene)
 }
 

@@ -71,7 +71,8 @@ pub fn paths(bench: &Bench) -> Result<Report, RenderError> {
 fn sampled(scene: &Scene, samples: u32, aim: bool, guide: bool) -> Scene {
     let mut scene = scene.clone();
     scene.image.samples = samples;
-    scene.rays.paths = Some(Paths { aim, guide, ..scene.rays.paths.unwrap_or_default() });
+    scene.rays.path_tracing =
+        Some(Paths { light_sampling: aim, guiding: guide, ..scene.rays.path_tracing.unwrap_or_default() });
     scene
 }
 

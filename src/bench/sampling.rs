@@ -140,7 +140,7 @@ fn sampled(scene: &Scene, sampling: Sampling) -> Scene {
         Sampling::Adaptive(tolerance) => (MOST, SamplePattern::Progressive, Some(tolerance)),
     };
     scene.image.footprints = matches!(sampling, Sampling::Footprints(_));
-    (scene.image.samples, scene.image.pattern, scene.image.adaptive) = (samples, pattern, adaptive);
+    (scene.image.samples, scene.image.sampler, scene.image.adaptive) = (samples, pattern, adaptive);
     scene
 }
 

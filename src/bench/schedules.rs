@@ -14,7 +14,7 @@ const SEGMENTS: [u32; 5] = [1, 4, 16, 64, 1024];
 pub fn schedules(bench: &Bench) -> Result<Report, RenderError> {
     let mut scene = scene(bench.size, GEODESIC, 10, 30, How::Plain)?;
     // Uses lists of objects, of which segments test only the near ones.
-    scene.rays.accelerate = Accelerate::Auto;
+    scene.rays.acceleration = Accelerate::Auto;
     let others = [Schedule::Paper, Schedule::Segment, Schedule::Whole].map(|schedule| (schedule, 1));
     let fused = SEGMENTS.map(|segments| (Schedule::Fused, segments));
     let header = "schedule | K | all rays (s) | early termination (s) | spread (all rays) | spread (early \

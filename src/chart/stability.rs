@@ -129,24 +129,24 @@ impl<'a> StabilityCase<'a> {
         if a.status == Status::Captured {
             return 0.0;
         }
-        let place = a.distance_to(b) / self.scene.rays.bound.radius;
+        let place = a.distance_to(b) / self.scene.rays.bounding_sphere.radius;
         let speed = (a.speed() - b.speed()).abs() / b.speed();
         a.angle_to(b).max(place).max(speed)
     }
 
     /// Returns the τ up to which every ray is right, in tenths of `rays.max_parameter`, or `None` without this key.
     pub fn divergence(&self, candidate: &Candidate) -> Result<Option<f64>, RenderError> {
-        let Some(length) = self.scene.rays.length else { return Ok(None) };
+        let Some(length) = self.scene.rays.max_parameter else { return Ok(None) };
         let mut right = 0.0;
         for tenth in 1..=10 {
             let mut scene = self.scene.clone();
-            scene.rays.length = Some(length * f64::from(tenth) / 10.0);
+            scene.rays.max_parameter = Some(length * f64::from(tenth) / 10.0);
             let place = Self::new(self.gpu, &self.name, &scene, &self.rays)?;
             let outcome = place.outcome(candidate, default_settings(candidate))?;
             if outcome.right < self.rays.len() {
                 break;
             }
-            right = scene.rays.length.unwrap_or(0.0);
+            right = scene.rays.max_parameter.unwrap_or(0.0);
         }
         Ok(Some(right))
     }

@@ -24,7 +24,7 @@ pub(super) const SUMS: [Layer; 2] = [Layer::Accumulated, Layer::LuminanceM2];
 
 /// Returns `true` if an image of this scene can be continued, provided that its file keeps the sums.
 pub(super) fn is_continuable(scene: &Scene) -> bool {
-    scene.rays.paths.is_some() && scene.image.adaptive.is_none()
+    scene.rays.path_tracing.is_some() && scene.image.adaptive.is_none()
 }
 
 /// Returns the file settings after `samples` samples, where `settings` are those of the finished image.
@@ -93,7 +93,7 @@ impl EarlierImage {
                     .to_owned(),
             );
         }
-        if scene.image.pattern == SamplePattern::MultiJittered {
+        if scene.image.sampler == SamplePattern::MultiJittered {
             return wrong("multi-jittered samples require a fixed number of samples; remove `sampler`".to_owned());
         }
         if self.settings.window != window {

@@ -179,7 +179,7 @@ impl Arguments {
             (Some(frame), None) => film.load(Some(&|_| frame.into()))?,
         };
         let asked = |layer| self.layers.as_ref().is_some_and(|layers| layers.contains(&Some(layer)));
-        if asked(Layer::StandardError) && scene.rays.paths.is_none() && scene.image.adaptive.is_none() {
+        if asked(Layer::StandardError) && scene.rays.path_tracing.is_none() && scene.image.adaptive.is_none() {
             return Err(usage!(
                 "the layer `standard_error` requires random samples: set lighting = \"path-tracing\" or image.adaptive"
             ));

@@ -78,7 +78,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Error> {
     let opening = arguments.device.open();
     let film = Film::new(&arguments.scene, arguments.changes.overrides()?).on(arguments.device.name());
     let scene = film.load(None)?;
-    if arguments.drift && scene.rays.asymptotic {
+    if arguments.drift && scene.rays.sky_at_infinity {
         return Err(usage!("--drift cannot be combined with rays.sky_at_infinity, because rays then end at infinity"));
     }
     if arguments.diagram.attractor.is_some() && scene.law.facts().ignores_direction.is_none() {
@@ -187,7 +187,7 @@ const ORBIT: u32 = 1 << 16;
 fn attractor(gpu: &Gpu, scene: &Scene, settings: &RenderSettings, start: &[f64; 6], time: f64) -> Result<Curve, Error> {
     let mut scene = scene.clone();
     scene.objects.clear();
-    scene.rays.length = Some(time);
+    scene.rays.max_parameter = Some(time);
     scene.rays.max_segments = ORBIT;
     let (_, points) = trace_paths(gpu, &scene, settings, &[*start])?.remove(0);
     let near: Vec<PathPoint> = points.into_iter().filter(|point| point.tau > ARRIVING * time).collect();

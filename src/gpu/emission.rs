@@ -23,7 +23,7 @@ impl Emission {
     /// Creates the emission of a light of the scene.
     #[must_use]
     pub fn new(scene: &Scene, light: &Light) -> Self {
-        let bound = &scene.rays.bound;
+        let bound = &scene.rays.bounding_sphere;
         let (center, radius) = (bound.center, bound.radius);
         Self { source: light.source, lamp: None, into: (center, radius), center, radius }
     }
@@ -31,7 +31,7 @@ impl Emission {
     /// Creates the emission of an emitter.
     #[must_use]
     pub fn of_lamp(scene: &Scene, beam: &Beam) -> Self {
-        let bound = &scene.rays.bound;
+        let bound = &scene.rays.bounding_sphere;
         let (center, radius) = (bound.center, bound.radius);
         let into = beam.through.map_or((center, radius), |object| scene.objects[object].ball());
         let (lo, hi) = scene.objects[beam.lamp.object].bounds();

@@ -41,7 +41,7 @@ impl LightVolume {
         let boxes = scene.objects.iter().filter(lit).map(Object::bounds);
         let nothing = (DVec3::INFINITY, DVec3::NEG_INFINITY);
         let (lo, hi) = boxes.fold(nothing, |all, own| (all.0.min(own.0), all.1.max(own.1)));
-        let bound = &scene.rays.bound;
+        let bound = &scene.rays.bounding_sphere;
         let (lo, hi) = (lo.max(bound.center - bound.radius), hi.min(bound.center + bound.radius));
         let extent = if lo.cmple(hi).all() { hi - lo } else { DVec3::ZERO };
         let longest = if extent.max_element() > 0.0 { extent.max_element() } else { bound.radius };

@@ -51,7 +51,7 @@ impl Source<'_> {
             bindings.push(black_bodies());
         }
         if scene.used_materials().any(|material| material.surface.facts().orbits) {
-            bindings.extend(orbits(&*scene.law, scene.rays.bound.radius).into_iter().flatten());
+            bindings.extend(orbits(&*scene.law, scene.rays.bounding_sphere.radius).into_iter().flatten());
         }
         if scene.has_translucent() {
             let row = |material: &Material| row! { opacity: Float(material.surface.facts().opacity) };
@@ -200,14 +200,14 @@ impl Source<'_> {
     fn lights(&self, name: &str, layout: &Layout) -> Result<Option<Vec<u8>>, GpuError> {
         let row = |light: &Light| -> (&str, Row) {
             let shadows = match light.shadows {
-                Shadows::Straight => self.shadow_code(light.clear),
+                Shadows::Straight => self.shadow_code(light.transparent),
                 _ => 0,
             };
             let falls = u32::from(light.falls);
             match light.source {
                 LightSource::Point(position) if light.shadows == Shadows::Shooting => (
                     "shot_lights",
-                    row! { position: Vec3(position), color: Vec3(light.color), falls: Uint(falls), size: Float(light.size) },
+                    row! { position: Vec3(position), color: Vec3(light.color), falls: Uint(falls), size: Float(light.min_distance) },
                 ),
                 LightSource::Point(position) => {
                     let row = row! { position: Vec3(position), color: Vec3(light.color), shadows: Uint(shadows), falls: Uint(falls) };
@@ -298,7 +298,7 @@ impl Source<'_> {
             Segment::Arc { tolerance } => tolerance,
             Segment::Chord { .. } => f64::INFINITY,
         };
-        let length = rays.length.unwrap_or(f64::MAX);
+        let length = rays.max_parameter.unwrap_or(f64::MAX);
         let nodes = self.scene.law.facts().curve().map(|curve| ray_tree(curve, length, tolerance)).unwrap_or_default();
         let row = |node: &RayNode| {
             // Enlarge the boxes by the rounding error of 32 bits.

@@ -11,11 +11,11 @@ use crate::scene::{Branches, Clear, Scene, Segment, Sky};
 impl Source<'_> {
     /// Returns the values that a scene has once, each as one struct.
     pub(super) fn uniforms(&self) -> Vec<Binding> {
-        let Scene { image, output, rays, sky, beyond, .. } = self.scene;
+        let Scene { image, output, rays, sky, sky_other_side: beyond, .. } = self.scene;
         let side = f64::from(image.samples).sqrt();
         let columns = side.ceil() as u32;
-        let paths = rays.paths.unwrap_or_default();
-        let depth = paths.depth.unwrap_or(u32::MAX);
+        let paths = rays.path_tracing.unwrap_or_default();
+        let depth = paths.max_depth.unwrap_or(u32::MAX);
         let most = output.clamp.unwrap_or(f64::from(f32::MAX));
         let refinement = row! {
             tolerance: Float(image.adaptive.unwrap_or(0.0)),
@@ -24,15 +24,18 @@ impl Source<'_> {
         };
         let one = Binding::one;
         let mut all = vec![
-            one("bound", row! { center: Vec3(rays.bound.center), radius: Float(rays.bound.radius) }),
+            one(
+                "bound",
+                row! { center: Vec3(rays.bounding_sphere.center), radius: Float(rays.bounding_sphere.radius) },
+            ),
             one("sampling", row! { grid: Uint2([columns, image.samples.div_ceil(columns)]) }),
             one("sample_share", row! { side: Float(side.recip()) }),
             one("refinement", refinement),
-            one("transport", row! { depth: Uint(depth), roulette: Uint(paths.roulette), seed: Uint(paths.seed) }),
+            one("transport", row! { depth: Uint(depth), roulette: Uint(paths.rr_depth), seed: Uint(paths.seed) }),
             one("spectrum", row! { wavelength: Float(1e-3 * rays.wavelength) }),
             one("brightest", row! { radiance: Float(most) }),
             one("ambient", self.ambient()),
-            one("limit", row! { length: Float(rays.length.unwrap_or(f64::MAX)) }),
+            one("limit", row! { length: Float(rays.max_parameter.unwrap_or(f64::MAX)) }),
             one("sky", sky_row(sky)),
         ];
         match rays.segment {
@@ -43,7 +46,7 @@ impl Source<'_> {
                 all.push(one("moving_arcs", row! { tolerance: Float(tolerance) }));
             }
         }
-        if let Branches::Enumerated(depth) = rays.branches {
+        if let Branches::Enumerated(depth) = rays.max_splits {
             all.push(one("branching", row! { depth: Uint(depth) }));
         }
         all.extend(beyond.as_ref().map(|sky| one("beyond_sky", sky_row(sky))));
@@ -60,7 +63,7 @@ impl Source<'_> {
         let occlusion = self.scene.occlusion.as_ref();
         let along_law = occlusion.is_some_and(|occlusion| occlusion.along_law);
         // Along the law, a path may orbit before it escapes.
-        let across = if along_law { f64::from(f32::MAX) } else { 2.0 * self.scene.rays.bound.radius };
+        let across = if along_law { f64::from(f32::MAX) } else { 2.0 * self.scene.rays.bounding_sphere.radius };
         let distance = occlusion.and_then(|occlusion| occlusion.distance).unwrap_or(across);
         let floor = occlusion.map_or(0.0, |occlusion| occlusion.floor);
         let shadows = self.shadow_code(occlusion.map_or(Clear::Open, |occlusion| occlusion.clear));

@@ -26,9 +26,9 @@ pub fn reference(scene: &Scene, tolerance: f64) -> Scene {
     rays.max_segments = rays.max_segments.saturating_mul(MORE_SEGMENTS).clamp(SEGMENTS[0], SEGMENTS[1]);
     let arc = match rays.segment {
         Segment::Arc { tolerance } => tolerance,
-        Segment::Chord { .. } => 1e-4 * rays.bound.radius,
+        Segment::Chord { .. } => 1e-4 * rays.bounding_sphere.radius,
     };
-    rays.segment = Segment::Arc { tolerance: arc.min(1e-5 * rays.bound.radius) };
+    rays.segment = Segment::Arc { tolerance: arc.min(1e-5 * rays.bounding_sphere.radius) };
     rays.closed_forms = true;
     rays.method = TOLERANT;
     rays.control = embedded::with(tolerance.max(FINEST), 0.3);
@@ -98,7 +98,7 @@ impl ReferenceSolution {
         };
         tracer.retune(embedded::with(10.0 * tolerance, control.cap), scene.rays.max_segments)?;
         let loose = tracer.follow(starts)?.0;
-        let radius = scene.rays.bound.radius;
+        let radius = scene.rays.bounding_sphere.radius;
         let known = |(fine, loose): (Traced, Traced)| known(fine, &loose, radius);
         Ok(Self(fine.into_iter().zip(loose).map(known).collect()))
     }

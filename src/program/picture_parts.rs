@@ -19,7 +19,7 @@ pub(super) fn camera_parts(scene: &Scene, features: &Features, names: &mut Names
         return;
     }
     names.all(&["camera/sample/point", "camera/view"]);
-    match scene.image.pattern {
+    match scene.image.sampler {
         _ if scene.image.samples == 1 => names.add("camera/sample/center"),
         SamplePattern::MultiJittered => names.add("camera/sample/multi_jittered"),
         SamplePattern::Progressive => names.add("camera/sample/sobol"),
@@ -27,7 +27,7 @@ pub(super) fn camera_parts(scene: &Scene, features: &Features, names: &mut Names
     // A scene that is only traced is validated with a default camera.
     let camera = scene.camera.as_ref();
     names.add(camera.map_or("camera/pinhole", |camera| camera.projection.part()));
-    let frame = camera.and_then(|camera| scene.law.frame_part(camera.frame));
+    let frame = camera.and_then(|camera| scene.law.frame_part(camera.observer));
     names.add(frame.unwrap_or("camera/frame_coordinate"));
     if let Some((camera, stereo)) = camera.and_then(|camera| Some((camera, camera.stereo?))) {
         let crosses = stereo.convergence.is_some();
@@ -40,7 +40,7 @@ pub(super) fn picture_parts(scene: &Scene, features: &Features, names: &mut Name
     if !features.is_picture() {
         return Ok(());
     }
-    match &scene.beyond {
+    match &scene.sky_other_side {
         Some(beyond) => {
             names.add("picture/sky/both");
             for unit in two_skies(scene.sky.part(), beyond.part())? {

@@ -182,7 +182,7 @@ fn outside(scene: &Scene) -> RegionKind {
 
 /// Returns the cheapest motion that is correct for a medium.
 fn motion(scene: &Scene, medium: &dyn Medium) -> Motion {
-    let closed = medium.facts().closed_form(scene.rays.length.is_some());
+    let closed = medium.facts().closed_form(scene.rays.max_parameter.is_some());
     let allowed = closed.filter(|_| scene.rays.closed_forms || !medium.facts().bends());
     allowed.map_or(Motion::Solved, Motion::Closed)
 }

@@ -88,7 +88,7 @@ impl Structure {
         let count = |solid: &Primitive| listed().filter(|object| object.solid() == solid).count();
         let shapes = listed().filter(|object| object.shape.mesh().is_none()).count();
         let meshes = scene.objects.iter().filter(|object| object.shape.mesh().is_some());
-        let (search, least) = match scene.rays.accelerate {
+        let (search, least) = match scene.rays.acceleration {
             Accelerate::Auto => (Search::Hierarchy, if shapes <= FEW { FEW } else { MANY } + 1),
             Accelerate::Hierarchy => (Search::Hierarchy, 1),
             Accelerate::Grid => (Search::Grid, 1),
@@ -101,8 +101,8 @@ impl Structure {
         Self {
             search,
             solids,
-            written_out: scene.rays.accelerate == Accelerate::Auto,
-            near: scene.rays.accelerate != Accelerate::None && in_lists <= BITS,
+            written_out: scene.rays.acceleration == Accelerate::Auto,
+            near: scene.rays.acceleration != Accelerate::None && in_lists <= BITS,
             once: search == Search::Hierarchy && copies(scene) > COPIES,
         }
     }

@@ -25,7 +25,7 @@ impl Renderer<'_> {
     ) -> Result<Totals, RenderError> {
         let started = Instant::now();
         let mut clock = Clock::new(self.prepared.gpu, self.prepared.settings.apart);
-        let noise = self.prepared.scene.rays.paths.map(|_| Noise::default());
+        let noise = self.prepared.scene.rays.path_tracing.map(|_| Noise::default());
         let clamped = self.prepared.scene.output.clamp.map(|_| Clamped::default());
         let mut totals = Totals { adaptive: self.adaptive(), noise, clamped, ..Totals::default() };
         let (first, samples) = (watch.earlier.map_or(0, |earlier| earlier.samples), self.prepared.scene.image.samples);

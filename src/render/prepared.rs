@@ -55,8 +55,8 @@ impl<'a> Prepared<'a> {
     ) -> Result<Self, RenderError> {
         settings.choice.device = gpu.profile;
         // Rays for other purposes than an image end at the surface that they hit.
-        if settings.choice.purpose != Purpose::Picture && scene.rays.paths.is_some() {
-            scene.to_mut().rays.paths = None;
+        if settings.choice.purpose != Purpose::Picture && scene.rays.path_tracing.is_some() {
+            scene.to_mut().rays.path_tracing = None;
         }
         let given = settings.choice.purpose.is_given();
         if !given && scene.camera.is_none() {
@@ -106,7 +106,7 @@ impl<'a> Prepared<'a> {
     pub(super) fn change_scene(&mut self, mut scene: Scene, grids: LightGrids) -> Result<(), RenderError> {
         let RenderSettings { window, choice, .. } = &self.settings;
         if choice.purpose != Purpose::Picture {
-            scene.rays.paths = None;
+            scene.rays.path_tracing = None;
         }
         if let Some(window) = window.filter(|window| !window.fits(scene.image.size)) {
             return Err(RenderError::Window { window, picture: scene.image.size });

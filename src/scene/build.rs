@@ -31,7 +31,7 @@ impl Scene {
             filter: None,
             rays: Rays::new(radius),
             sky: Sky::Color(DVec3::ZERO),
-            beyond: None,
+            sky_other_side: None,
             output: Output::default(),
             materials,
             objects,
@@ -75,7 +75,7 @@ impl Scene {
 impl Default for Image {
     /// Returns an image of 800×600 pixels with one sample per pixel.
     fn default() -> Self {
-        Self { size: [800, 600], samples: 1, pattern: SamplePattern::MultiJittered, adaptive: None, footprints: false }
+        Self { size: [800, 600], samples: 1, sampler: SamplePattern::MultiJittered, adaptive: None, footprints: false }
     }
 }
 
@@ -96,15 +96,15 @@ impl Rays {
             auto: None,
             segment: Segment::Arc { tolerance: 1e-4 * radius },
             max_segments: 1000,
-            bound: Bound { center: DVec3::ZERO, radius },
-            length: None,
-            asymptotic: false,
+            bounding_sphere: Bound { center: DVec3::ZERO, radius },
+            max_parameter: None,
+            sky_at_infinity: false,
             precision: Precision::Single,
             closed_forms: true,
             leaps: true,
-            branches: Branches::Enumerated(4),
-            accelerate: Accelerate::Auto,
-            paths: None,
+            max_splits: Branches::Enumerated(4),
+            acceleration: Accelerate::Auto,
+            path_tracing: None,
             wavelength: D_LINE,
         }
     }

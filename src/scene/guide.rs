@@ -25,7 +25,7 @@ impl Scene {
     /// Returns up to eight of the brightest beams; empty if next-event estimation reaches all light.
     #[must_use]
     pub fn beams(&self) -> Vec<Beam> {
-        if !self.rays.paths.is_some_and(|paths| paths.guide) || self.law.facts().refuses_sent_light.is_some() {
+        if !self.rays.path_tracing.is_some_and(|paths| paths.guiding) || self.law.facts().refuses_sent_light.is_some() {
             return Vec::new();
         }
         let lamps = self.lamps();
@@ -66,7 +66,7 @@ impl Scene {
     #[must_use]
     pub fn of_beams(&self) -> Self {
         let mut scene = self.clone();
-        scene.rays.paths = None;
+        scene.rays.path_tracing = None;
         scene.rays.max_segments = scene.rays.max_segments.min(SEGMENTS);
         scene.filter = None;
         for object in &mut scene.objects {

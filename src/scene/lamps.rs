@@ -24,7 +24,7 @@ impl Scene {
     /// Returns the sampled emitters in the order of the file, limited to the 64 brightest. Paths hit other emitters by chance.
     #[must_use]
     pub fn lamps(&self) -> Vec<Lamp> {
-        if !self.rays.paths.is_some_and(|paths| paths.aim) {
+        if !self.rays.path_tracing.is_some_and(|paths| paths.light_sampling) {
             return Vec::new();
         }
         let lamp = |(i, object): (usize, &super::Object)| {

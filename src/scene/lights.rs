@@ -16,12 +16,12 @@ pub struct Light {
     /// The method that computes shadows.
     pub shadows: Shadows,
     /// The effect of transparent objects, for straight shadows.
-    pub clear: Clear,
+    pub transparent: Clear,
     /// Is `true` if the light falls off with the square of the distance or, with the shooting method, with the divergence of its ray
     /// bundle.
     pub falls: bool,
     /// The minimum effective distance, which limits the brightness at caustics.
-    pub size: f64,
+    pub min_distance: f64,
     /// The resolution of the light grid, if shadows use one.
     pub grid: LightGrid,
 }
@@ -115,7 +115,7 @@ impl Light {
     #[must_use]
     pub fn new(source: LightSource) -> Self {
         let (shadows, grid) = (Shadows::None, LightGrid::default());
-        Self { source, color: DVec3::ONE, shadows, clear: Clear::Open, falls: false, size: 0.0, grid }
+        Self { source, color: DVec3::ONE, shadows, transparent: Clear::Open, falls: false, min_distance: 0.0, grid }
     }
 
     /// Returns `true` if its brightness in a grid follows from the density of its paths. For a directional light this includes the focusing
@@ -150,7 +150,7 @@ impl Scene {
         let straight = |light: &&Light| self.is_lit() && light.shadows == Shadows::Straight;
         let ambient = self.occlusion.filter(|occlusion| self.is_occluded() && !occlusion.along_law);
         let ambient = ambient.map(|occlusion| occlusion.clear);
-        self.lights.iter().filter(straight).map(|light| light.clear).chain(ambient)
+        self.lights.iter().filter(straight).map(|light| light.transparent).chain(ambient)
     }
 
     /// Returns `true` if transparent objects block straight light.

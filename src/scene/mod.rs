@@ -74,7 +74,7 @@ pub struct Scene {
     /// The background of escaped rays.
     pub sky: Sky,
     /// The background on the other side of a wormhole; `None` if both sides have one sky.
-    pub beyond: Option<Sky>,
+    pub sky_other_side: Option<Sky>,
     /// The conversion of radiance to an image file.
     pub output: Output,
     /// The materials in the order of the file; [`Substance::Opaque`] is an index of this list.
@@ -101,7 +101,7 @@ pub struct Image {
     /// The number of samples per pixel; for adaptive sampling the largest number.
     pub samples: u32,
     /// The distribution of several samples in a pixel.
-    pub pattern: SamplePattern,
+    pub sampler: SamplePattern,
     /// The standard error of display values, from 0 to 1, at which an adaptive pixel stops; `None` without adaptive sampling.
     pub adaptive: Option<f64>,
     /// Is `true` if textures and patterns are averaged over pixel footprints.
@@ -136,9 +136,9 @@ impl Scene {
     /// Returns `true` if light has a frequency for the observer at the camera.
     #[must_use]
     pub fn has_frequencies(&self) -> bool {
-        let knows = |camera: &Camera| camera.frame != Observer::Coordinate && camera.is_at_one_place();
+        let knows = |camera: &Camera| camera.observer != Observer::Coordinate && camera.is_at_one_place();
         let is_seen = self.camera.as_ref().is_some_and(knows);
-        is_seen && !self.law.facts().momentum_parts.is_empty() && self.rays.paths.is_none()
+        is_seen && !self.law.facts().momentum_parts.is_empty() && self.rays.path_tracing.is_none()
     }
 
     /// Returns the required accuracy in radians, or `None` if the scene specifies a method. A pixel counts as a thousandth of a radian if
@@ -165,9 +165,9 @@ impl Scene {
     pub fn swept(&self, object: &Object) -> (DVec3, DVec3) {
         let Some(travel) = &object.travel else { return object.bounds() };
         travel.swept(object.ball()).unwrap_or_else(|| {
-            let Bound { radius, .. } = self.rays.bound;
+            let Bound { radius, .. } = self.rays.bounding_sphere;
             let nothing = (DVec3::INFINITY, DVec3::NEG_INFINITY);
-            let spheres = self.rays.bound.centers(Some(&*self.law));
+            let spheres = self.rays.bounding_sphere.centers(Some(&*self.law));
             spheres.iter().fold(nothing, |(lo, hi), center| (lo.min(center - radius), hi.max(center + radius)))
         })
     }
@@ -206,7 +206,7 @@ impl Scene {
     /// Returns `true` if the paths of a medium have a closed form, so that integration is optional.
     #[must_use]
     pub fn has_closed_forms(&self) -> bool {
-        let ends = self.rays.length.is_some();
+        let ends = self.rays.max_parameter.is_some();
         let of_law = !self.law.facts().is_straight && self.law.facts().closed_form.is_some();
         of_law || self.media().map(Medium::facts).any(|medium| medium.bends() && medium.closed_form(ends).is_some())
     }
@@ -214,8 +214,8 @@ impl Scene {
     /// Returns the demands of the scene on its integration method.
     #[must_use]
     pub fn demands(&self) -> Demands {
-        let ends = self.rays.length.is_some();
-        let paths = self.rays.paths;
+        let ends = self.rays.max_parameter.is_some();
+        let paths = self.rays.path_tracing;
         Optics { law: Some(&*self.law), objects: &self.objects, materials: &self.materials, paths }
             .demands(ends, self.rays.segment.has_chords())
     }

@@ -15,10 +15,10 @@ impl Scene {
             object.interior().is_some()
                 || self.material_of(object).is_some_and(|material| material.surface.facts().deflects)
         };
-        let Bound { radius, .. } = self.rays.bound;
-        let centers = self.rays.bound.centers(Some(&*self.law));
+        let Bound { radius, .. } = self.rays.bounding_sphere;
+        let centers = self.rays.bounding_sphere.centers(Some(&*self.law));
         let is_within = centers.iter().any(|center| center.distance(camera.position) <= radius);
-        (is_within || self.rays.asymptotic) && !self.objects.iter().any(deflects)
+        (is_within || self.rays.sky_at_infinity) && !self.objects.iter().any(deflects)
     }
 }
 

@@ -18,11 +18,11 @@ pub struct Rays {
     /// The number of segments after which an active ray is exhausted.
     pub max_segments: u32,
     /// The bounding sphere, outside which rays have escaped.
-    pub bound: Bound,
+    pub bounding_sphere: Bound,
     /// The τ at which rays end.
-    pub length: Option<f64>,
+    pub max_parameter: Option<f64>,
     /// Is `true` if rays are followed to infinity in closed form outside the bounding sphere.
-    pub asymptotic: bool,
+    pub sky_at_infinity: bool,
     /// The precision of the numbers.
     pub precision: Precision,
     /// Is `true` if closed forms of media replace the method.
@@ -30,11 +30,11 @@ pub struct Rays {
     /// Is `true` if one step crosses a region that contains nothing else. Paths of diagrams are cut into arcs.
     pub leaps: bool,
     /// The treatment of rays that a surface splits.
-    pub branches: Branches,
+    pub max_splits: Branches,
     /// The acceleration structure for the search of objects.
-    pub accelerate: Accelerate,
+    pub acceleration: Accelerate,
     /// The settings of path tracing; `None` for direct illumination by the scene's lights.
-    pub paths: Option<Paths>,
+    pub path_tracing: Option<Paths>,
     /// The wavelength of light in nanometers, if it is not sampled; only dispersion depends on it.
     pub wavelength: f64,
 }
@@ -43,20 +43,20 @@ pub struct Rays {
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Paths {
     /// The largest number of scattering surfaces along a path; unlimited if `None`.
-    pub depth: Option<u32>,
+    pub max_depth: Option<u32>,
     /// The number of surfaces after which Russian roulette may end a path.
-    pub roulette: u32,
+    pub rr_depth: u32,
     /// Is `true` if next-event estimation sends one more ray from each point to the emitters.
-    pub aim: bool,
+    pub light_sampling: bool,
     /// Is `true` if light is traced from the emitters first, to guide these rays around obstacles of next-event estimation.
-    pub guide: bool,
+    pub guiding: bool,
     /// The seed of the random numbers.
     pub seed: u32,
 }
 
 impl Default for Paths {
     fn default() -> Self {
-        Self { depth: None, roulette: 4, aim: true, guide: true, seed: 0 }
+        Self { max_depth: None, rr_depth: 4, light_sampling: true, guiding: true, seed: 0 }
     }
 }
 

@@ -80,7 +80,7 @@ impl Scene {
     /// Returns `true` if paths sample the sky because its radiance varies; a uniform sky needs no sampling.
     #[must_use]
     pub fn aims_at_sky(&self) -> bool {
-        let wanted = self.rays.paths.is_some_and(|paths| paths.aim);
+        let wanted = self.rays.path_tracing.is_some_and(|paths| paths.light_sampling);
         let faces: Vec<&Picture> = match &self.sky {
             _ if !wanted => return false,
             Sky::Color(_) | Sky::Transparent => return false,

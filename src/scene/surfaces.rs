@@ -30,7 +30,7 @@ impl Scene {
     /// Returns `true` if crossings of a translucent surface can be attributed to orders: rays must not branch elsewhere or at random.
     #[must_use]
     pub fn has_orders(&self) -> bool {
-        let counts = matches!(self.rays.branches, Branches::Enumerated(_)) && self.image.adaptive.is_none();
+        let counts = matches!(self.rays.max_splits, Branches::Enumerated(_)) && self.image.adaptive.is_none();
         self.has_translucent() && counts && !self.splits() && self.fans().is_empty()
     }
 
@@ -50,7 +50,7 @@ impl Scene {
     #[must_use]
     pub fn scatters(&self) -> bool {
         let goes_on = |object: &Object| self.continues_from(object) || self.shows_through(object);
-        self.rays.paths.is_some() || self.splits() || self.objects.iter().any(goes_on)
+        self.rays.path_tracing.is_some() || self.splits() || self.objects.iter().any(goes_on)
     }
 
     /// Returns the surfaces that split rays into user-defined directions, with the indices of their materials.

@@ -137,7 +137,7 @@ impl Modelled<'_> {
 
     /// Returns the remark of the law about this scene, if it has one.
     fn remark(&self) -> Option<String> {
-        let bound = &self.scene.rays.bound;
+        let bound = &self.scene.rays.bounding_sphere;
         self.scene.law.remark(bound.center, bound.radius)
     }
 
@@ -199,7 +199,7 @@ impl GridOfLight {
 /// Lists the random elements of the image.
 fn random_words(scene: &Scene) -> Vec<String> {
     let mut words = Vec::new();
-    if scene.rays.paths.is_some() {
+    if scene.rays.path_tracing.is_some() {
         let lamps: Vec<_> = scene.lamps().iter().map(|lamp| format!("objects[{}]", lamp.object)).collect();
         let emitters = counted((lamps.len(), "emitter"));
         let lamps = (!lamps.is_empty()).then(|| format!("{emitters} ({})", lamps.join(", ")));
@@ -229,7 +229,7 @@ fn random_words(scene: &Scene) -> Vec<String> {
 /// Describes the wavelengths of light, if they matter.
 fn dispersion_words(scene: &Scene) -> Option<String> {
     scene.disperses().then(|| {
-        if scene.rays.paths.is_some() {
+        if scene.rays.path_tracing.is_some() {
             format!("dispersion: each path has one wavelength, from {} to {} nm", VISIBLE.start(), VISIBLE.end())
         } else {
             format!(

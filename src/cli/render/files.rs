@@ -129,7 +129,7 @@ impl Arguments {
             Layer::Redshift => scene.has_frequencies(),
             Layer::ImageOrder => scene.has_orders(),
             Layer::Samples => scene.image.adaptive.is_some(),
-            Layer::StandardError => scene.rays.paths.is_some(),
+            Layer::StandardError => scene.rays.path_tracing.is_some(),
             Layer::Accumulated | Layer::LuminanceM2 => is_continuable(scene),
             _ => before.is_none_or(|before| before.layers().contains(&layer)),
         };

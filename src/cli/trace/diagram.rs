@@ -140,7 +140,7 @@ impl Diagram<'_> {
         let Some(path) = plot else { return Ok(()) };
         let surfaces = surfaces(scene, &self.plane);
         let range = self.options.view.unwrap_or(PlotRange::Objects);
-        let bound = Some((scene.rays.bound.center, scene.rays.bound.radius));
+        let bound = Some((scene.rays.bounding_sphere.center, scene.rays.bounding_sphere.radius));
         let plot = PathPlot {
             range,
             surfaces,

@@ -92,13 +92,13 @@ pub struct Camera {
     /// The projection.
     pub projection: Arc<dyn Projection>,
     /// The observer whose directions the camera uses.
-    pub frame: Observer,
+    pub observer: Observer,
     /// The coordinate time t of the image.
     pub time: f64,
     /// Is `true` if the redshift changes the brightness of light.
-    pub shift: bool,
+    pub redshift: bool,
     /// Is `true` if the redshift also changes colors, which are treated as black-body colors.
-    pub hues: bool,
+    pub color_shift: bool,
     /// The pair of eyes of a stereo image; `None` for a single view.
     pub stereo: Option<Stereo>,
 }
@@ -136,10 +136,10 @@ impl Camera {
             right,
             up: right.cross(forward),
             projection,
-            frame,
+            observer: frame,
             time: 0.0,
-            shift: false,
-            hues: false,
+            redshift: false,
+            color_shift: false,
             stereo: None,
         })
     }

@@ -62,7 +62,7 @@ pub fn observer(law: &dyn Law, camera: &Camera) -> Option<Row> {
 
 /// Returns the components of K along the scene's three axes, and its constant part −u.
 fn axes(law: &dyn Law, camera: &Camera) -> Option<[DVec4; 4]> {
-    let u = law.observer(camera.frame, camera.position)?.ok()?;
+    let u = law.observer(camera.observer, camera.position)?.ok()?;
     let metric = law.metric(camera.position, 0.0)?;
     let [right, up, forward] = tetrad(&metric, u, camera);
     let along =

@@ -27,7 +27,18 @@ pub(crate) fn read(root: &TableReader, law: Option<&dyn Law>, size: [u32; 2]) ->
     let stereo = stereo(&table, size);
     let camera = seat.and_then(|Seat { position, frame, time }| {
         let [forward, right, up] = axes(&table, position, look_at, up)?;
-        Some(Camera { position, forward, right, up, projection: projection?, frame, time, shift, hues, stereo })
+        Some(Camera {
+            position,
+            forward,
+            right,
+            up,
+            projection: projection?,
+            observer: frame,
+            time,
+            redshift: shift,
+            color_shift: hues,
+            stereo,
+        })
     });
     if let (Some(camera), Some(law)) = (&camera, law) {
         let then = law.seen(None, camera.time);
@@ -201,14 +212,14 @@ fn axes(table: &TableReader, position: DVec3, look_at: DVec3, up: DVec3) -> Opti
 }
 
 fn check_against_law(table: &TableReader, camera: &Camera, law: &dyn Law) {
-    if !camera.is_at_one_place() && (camera.shift || law.frame_part(camera.frame) == Some(OBSERVER_PART)) {
+    if !camera.is_at_one_place() && (camera.redshift || law.frame_part(camera.observer) == Some(OBSERVER_PART)) {
         let help = "remove `observer` and `redshift`, or use a camera with a single viewpoint";
         table.fault(&["observer"], "an observer requires a single viewpoint, and this camera has several", help);
     }
     let who = if camera.stereo.is_some() { "an eye of the camera" } else { "the camera" };
     // Rays of an orthographic camera start all over a plane; only those inside a capture region are captured.
     let eyes = if camera.projection.is_from_a_point() { camera.eyes() } else { Vec::new() };
-    let refused = |eye: &DVec3| law.refuses_eye(*eye).or_else(|| law.observer(camera.frame, *eye)?.err());
+    let refused = |eye: &DVec3| law.refuses_eye(*eye).or_else(|| law.observer(camera.observer, *eye)?.err());
     if let Some([problem, help]) = eyes.iter().find_map(refused) {
         table.fault(&["position"], format!("{who} {problem}"), help);
     }

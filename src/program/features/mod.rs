@@ -202,9 +202,9 @@ impl Features {
         let schedule = if choice.schedule == Schedule::Whole && !fits { Schedule::Fused } else { choice.schedule };
         let camera = scene.camera.as_ref();
         let grids = || scene.lights.iter().filter(|light| light.shadows == Shadows::Grid);
-        let beams = is_picture && camera.is_some_and(|camera| camera.shift);
+        let beams = is_picture && camera.is_some_and(|camera| camera.redshift);
         let knows_shift = beams || is_picture && layers.contains(&Layer::Redshift) && scene.has_frequencies();
-        let follows_paths = is_picture && scene.rays.paths.is_some();
+        let follows_paths = is_picture && scene.rays.path_tracing.is_some();
         let joins_whole = regions.kinds.iter().all(|kind| joins_whole(scene, kind));
         let ends_with_steps = ends_with_steps(scene);
         let (is_occluded, follows_lines) = (scene.is_occluded(), scene.lines().next().is_some());
@@ -257,12 +257,12 @@ impl Features {
             shuts_out: scene.shuts_out(),
             weakens_lines: is_picture && scene.weakens_lines(),
 
-            is_limited: scene.rays.length.is_some(),
+            is_limited: scene.rays.max_parameter.is_some(),
             compensates_tau: compensates_tau(scene),
             captures: !scene.captures(None).is_empty(),
             captures_by_formula: facts.line_element().is_some_and(|element| element.graph().4.is_some()),
             is_extreme: facts.turns_before_capture,
-            is_asymptotic: scene.rays.asymptotic,
+            is_asymptotic: scene.rays.sky_at_infinity,
             needs_arcs: scene.needs_arcs(),
             on_orbit: scene.rays.method.kind.path == Path::Orbit,
             is_plane: facts.orbit.is_some_and(|orbit| orbit.is_plane()),
@@ -277,12 +277,12 @@ impl Features {
             has_throat: facts.throat.is_some(),
             joins_whole,
 
-            has_two_skies: is_picture && scene.beyond.is_some(),
+            has_two_skies: is_picture && scene.sky_other_side.is_some(),
             sees_through: is_picture && scene.sky == Sky::Transparent,
             has_images: !scene.pictures.is_empty(),
             has_vertex_colors: scene.uses_vertex_colors(),
             is_transparent: scene.is_transparent(),
-            enumerates: is_picture && scene.scatters() && matches!(scene.rays.branches, Branches::Enumerated(_)),
+            enumerates: is_picture && scene.scatters() && matches!(scene.rays.max_splits, Branches::Enumerated(_)),
             views: camera.and_then(|camera| Some(camera.stereo?.layout)),
             adapts: is_picture && scene.image.adaptive.is_some(),
             is_filmic: scene.output.tonemap == Tonemap::Filmic,
@@ -291,7 +291,7 @@ impl Features {
             is_glossy: scene.used_materials().any(|material| material.surface.facts().is_glossy),
             keeps_footprints: is_picture && scene.has_footprints(),
             beams,
-            shifts_hues: beams && camera.is_some_and(|camera| camera.hues),
+            shifts_hues: beams && camera.is_some_and(|camera| camera.color_shift),
             knows_shift,
             follows_shift: knows_shift && facts.changes_with_time,
             keeps_orders: is_picture && layers.contains(&Layer::ImageOrder) && scene.has_orders(),
@@ -355,7 +355,7 @@ impl Features {
 
 /// Returns the largest number of rounds per sample: one for each leaf of the full tree of a path.
 fn rounds(scene: &Scene, is_picture: bool) -> u32 {
-    match scene.rays.branches {
+    match scene.rays.max_splits {
         Branches::Enumerated(depth) if is_picture && scene.branches() => 1 << depth,
         _ => 1,
     }
@@ -381,7 +381,7 @@ fn below_part(scene: &Scene, purpose: Purpose, below: Option<(&'static str, Capt
 
 /// Returns `true` if the rounding error of the sum τ is stored separately.
 fn compensates_tau(scene: &Scene) -> bool {
-    scene.rays.length.is_some() && scene.rays.precision != Precision::Double
+    scene.rays.max_parameter.is_some() && scene.rays.precision != Precision::Double
 }
 
 /// Returns `true` if the paths of a kind of region are complete lines that begin at the start of the ray.
@@ -400,7 +400,7 @@ pub(super) fn ends_with_steps(scene: &Scene) -> bool {
 fn is_about_center(scene: &Scene) -> bool {
     let moves = |key: &String| key.starts_with("law.") || key.starts_with("rays.bounding_sphere");
     let is_still = scene.animation.as_ref().is_none_or(|animation| !animation.keys.iter().any(moves));
-    is_still && scene.law.facts().orbit.is_some_and(|orbit| orbit.center == scene.rays.bound.center)
+    is_still && scene.law.facts().orbit.is_some_and(|orbit| orbit.center == scene.rays.bounding_sphere.center)
 }
 
 /// Returns `true` if rays may leave flat surfaces, which have no inside.

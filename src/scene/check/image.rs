@@ -13,7 +13,7 @@ const MOST_ADAPTIVE: u32 = 32_768;
 pub fn read(root: &TableReader, by_paths: bool) -> Image {
     let mut image = Image::default();
     if by_paths {
-        image.pattern = SamplePattern::Progressive;
+        image.sampler = SamplePattern::Progressive;
     }
     let Some(table) = root.subtable("image", "image") else { return image };
     let size = array("two whole numbers, [width, height]", whole(1..=65_536));
@@ -24,11 +24,11 @@ pub fn read(root: &TableReader, by_paths: bool) -> Image {
     let tolerance = number_where("a standard error above 0 and below 1, in display values", |x| x > 0.0 && x < 1.0);
     image.adaptive = table.optional("adaptive", tolerance);
     if table.gives("adaptive") {
-        (image.samples, image.pattern) = (64, SamplePattern::Progressive);
+        (image.samples, image.sampler) = (64, SamplePattern::Progressive);
         check_adaptive(&table, samples, pattern);
     }
     image.samples = samples.unwrap_or(image.samples);
-    image.pattern = pattern.unwrap_or(image.pattern);
+    image.sampler = pattern.unwrap_or(image.sampler);
     image.footprints = table.or("footprints", false, boolean);
     if let Some(with) = [("image.adaptive", image.adaptive.is_some()), ("lighting = \"path-tracing\"", by_paths)]
         .into_iter()

@@ -176,7 +176,7 @@ pub(super) fn scene(reader: &Reader, files: &mut Files) -> Option<Scene> {
         filter,
         rays: rays?,
         sky,
-        beyond,
+        sky_other_side: beyond,
         output,
         materials,
         objects,
@@ -186,7 +186,7 @@ pub(super) fn scene(reader: &Reader, files: &mut Files) -> Option<Scene> {
         pictures: files.pictures(),
         left_out: files.left_out(),
     };
-    if scene.rays.paths.is_none() {
+    if scene.rays.path_tracing.is_none() {
         scene.output.clamp = None;
     }
     for light in scene.swallowed_lights() {
@@ -310,7 +310,8 @@ fn light(table: TableReader, reach: f64, optics: &Optics) -> Option<Light> {
         check_aimed(&table, optics);
     }
     let grid = if shadows == Shadows::Grid { light_grid(&table) } else { LightGrid::default() };
-    let light = source.map(|source| Light { source, color, shadows, clear, falls, size, grid });
+    let light =
+        source.map(|source| Light { source, color, shadows, transparent: clear, falls, min_distance: size, grid });
     table.finish();
     light
 }

@@ -20,10 +20,10 @@ pub fn read(root: &TableReader, rays: Option<&TableReader>, law: Option<&dyn Law
             let help = "set lighting = \"path-tracing\" in [rays], or remove [path_tracing]";
             table.fault(&[], "[path_tracing] requires lighting = \"path-tracing\"", help);
         }
-        paths.depth = table.optional("max_depth", whole(0..=1_000_000));
-        paths.roulette = table.or("rr_depth", usual.roulette, whole(1..=1_000_000));
-        paths.aim = table.or("light_sampling", usual.aim, boolean);
-        paths.guide = table.or("guiding", usual.guide, boolean);
+        paths.max_depth = table.optional("max_depth", whole(0..=1_000_000));
+        paths.rr_depth = table.or("rr_depth", usual.rr_depth, whole(1..=1_000_000));
+        paths.light_sampling = table.or("light_sampling", usual.light_sampling, boolean);
+        paths.guiding = table.or("guiding", usual.guiding, boolean);
         paths.seed = table.or("seed", usual.seed, whole(0..=u32::MAX));
         table.finish();
     }

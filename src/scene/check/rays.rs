@@ -82,16 +82,16 @@ pub fn read(table: TableReader, bound: Option<Bound>, optics: &Optics) -> Option
         auto,
         segment,
         max_segments,
-        bound: bound?,
-        length,
-        asymptotic,
+        bounding_sphere: bound?,
+        max_parameter: length,
+        sky_at_infinity: asymptotic,
         precision,
         closed_forms,
         leaps: true,
-        branches,
-        accelerate,
+        max_splits: branches,
+        acceleration: accelerate,
         // Without objects, both kinds of lighting are equal.
-        paths: optics.paths.filter(|_| !optics.objects.is_empty()),
+        path_tracing: optics.paths.filter(|_| !optics.objects.is_empty()),
         wavelength,
     })
 }

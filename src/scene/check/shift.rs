@@ -17,7 +17,7 @@ pub struct Rest<'a> {
 }
 
 pub fn check(root: &TableReader, camera: Option<&Camera>, rest: &Rest) {
-    if camera.is_some_and(|camera| camera.shift) {
+    if camera.is_some_and(|camera| camera.redshift) {
         if rest.paths {
             root.fault(&["camera"], "`redshift` cannot be combined with path tracing", "remove camera.redshift");
         } else if rest.filter.is_some_and(|filter| filter.glow != DVec3::ZERO) {

@@ -128,7 +128,7 @@ fn an_imported_scene_keeps_the_digits_of_far_places() {
     let scene = Scene::parse(&imported.text, &folder.path().join("scene.toml"), &[])
         .unwrap_or_else(|error| panic!("{}\n{error}", imported.text));
     let middle = PLACE + DVec3::new(0.0, 0.0, 0.125);
-    assert!(scene.rays.bound.center.abs_diff_eq(middle, 1e-6), "{}", imported.text);
+    assert!(scene.rays.bounding_sphere.center.abs_diff_eq(middle, 1e-6), "{}", imported.text);
     for (found, expected) in corners(&scene).into_iter().zip(places()) {
         assert!(found.abs_diff_eq(expected, NEAR), "{found} and not {expected}");
     }

@@ -37,7 +37,7 @@ fn values_are_replaced_and_added() {
     assert_eq!(*center, DVec3::Z);
     assert_eq!(scene.objects[0].transform.uniform_scale(), Some(2.0));
     let center = DVec3::ZERO;
-    assert_eq!(scene.rays.bound, Bound { center, radius: 30.0 });
+    assert_eq!(scene.rays.bounding_sphere, Bound { center, radius: 30.0 });
     assert_eq!(scene.output.bits, 16);
 }
 

@@ -122,7 +122,7 @@ fn little_is_needed() {
     assert_eq!(scene.law.downcast(), Some(&Straight));
     assert_eq!((scene.rays.method, scene.rays.control), (method::CLOSED_FORMS, control::exact::CONTROL));
     assert_eq!(scene.rays.segment, Segment::Arc { tolerance: 1e-3 });
-    assert_eq!((scene.rays.max_segments, scene.rays.length), (1000, None));
+    assert_eq!((scene.rays.max_segments, scene.rays.max_parameter), (1000, None));
     assert_eq!(scene.sky, Sky::Color(DVec3::ZERO));
     assert_eq!(scene.output.bits, 8);
 }
@@ -135,7 +135,7 @@ fn a_camera_has_orthonormal_axes() {
     assert_eq!(camera.right, DVec3::X);
     assert_eq!(camera.up, DVec3::Y);
     assert_eq!(camera.projection.downcast(), Some(&Pinhole { fov: 50.0 }));
-    assert_eq!(camera.frame, Observer::Coordinate);
+    assert_eq!(camera.observer, Observer::Coordinate);
     let scene = good(&format!("{RAYS}[camera]\nposition = [1, 3, 4]\nup = [3, 1, 0]"));
     let camera = scene.camera.expect("a camera");
     let axes = glam::DMat3::from_cols(camera.right, camera.up, -camera.forward);
@@ -200,10 +200,10 @@ fn laws_and_methods_become_values() {
     assert_eq!((kind.name, setting, cap), (doubling::PAPER.name, 1e-5, 0.3));
     assert!((grow_below - 1e-6).abs() < 1e-18);
     assert_eq!(scene.rays.segment, Segment::Chord { steps: 10 });
-    assert_eq!(scene.rays.length, Some(7.0));
+    assert_eq!(scene.rays.max_parameter, Some(7.0));
     let scene = good(KINDS[1]);
     assert_eq!(scene.rays.control, Control::new(&control::fixed::KIND, 1.0, 0.5));
-    assert_eq!(scene.rays.bound.center, DVec3::new(1.0, 2.0, 3.0));
+    assert_eq!(scene.rays.bounding_sphere.center, DVec3::new(1.0, 2.0, 3.0));
     let law = good(KINDS[2]).law;
     let Sources(sources) = law.downcast().expect("sources");
     assert_eq!(Some(sources[0].falloff), Falloff::named("cubic", 2.0));
@@ -213,7 +213,7 @@ fn laws_and_methods_become_values() {
     let scene = good(KINDS[3]);
     assert_eq!(scene.rays.method, Method { own: 0.001, ..method_from("snell") });
     assert_eq!(scene.rays.control, scaled::with(0.1));
-    assert_eq!(good(KINDS[4]).camera.expect("a camera").frame, Observer::Static);
+    assert_eq!(good(KINDS[4]).camera.expect("a camera").observer, Observer::Static);
 }
 
 #[test]

@@ -75,7 +75,7 @@ impl<'s> Tracer<'s> {
     /// Fails on what the tracer does not do.
     pub fn new(scene: &'s Scene) -> Self {
         assert!(scene.law.downcast::<Straight>().is_some(), "the tracer knows no other law");
-        assert!(scene.rays.length.is_none(), "the tracer's rays do not end");
+        assert!(scene.rays.max_parameter.is_none(), "the tracer's rays do not end");
         Self { scene, bodies: scene.objects.iter().map(Body::new).collect() }
     }
 
@@ -101,7 +101,7 @@ impl<'s> Tracer<'s> {
 
     /// The radiance that comes to `x` against the unit vector `d`.
     pub fn seen(&self, x: DVec3, d: DVec3) -> DVec3 {
-        let Branches::Enumerated(branchings) = self.scene.rays.branches else {
+        let Branches::Enumerated(branchings) = self.scene.rays.max_splits else {
             panic!("the tracer leaves nothing to chance")
         };
         let ray = self.ray(x, d);
@@ -138,7 +138,7 @@ impl<'s> Tracer<'s> {
     pub fn next(&self, ray: &Ray) -> Met {
         let mut path = Path::new(self.medium(ray), ray.x, ray.d);
         let standings: Vec<Standing> = (0..self.bodies.len()).map(|k| self.standing(ray, k, &mut path)).collect();
-        let bound = self.scene.rays.bound;
+        let bound = self.scene.rays.bounding_sphere;
         let found = match path {
             Path::Line { x, d } => {
                 // Rays do not go on beyond the bound.
