@@ -23,8 +23,8 @@ fn scene() -> Scene {
     let wall = scene.add_material("wall", checker, Phong::default());
     let red = scene.add_material("red", Pattern::Constant(DVec3::new(0.8, 0.1, 0.1)), Phong::default());
     let facing_us = DVec3::new(90.0, 0.0, 0.0);
-    scene.add(Plane, Transform::new(DVec3::splat(20.0), facing_us, DVec3::new(0.0, 0.0, -15.0)), wall);
-    scene.add(Sphere, Transform::new(DVec3::ONE, DVec3::ZERO, DVec3::new(5.0, 0.0, 0.0)), red);
+    scene.add_object(Plane, Transform::new(DVec3::splat(20.0), facing_us, DVec3::new(0.0, 0.0, -15.0)), wall);
+    scene.add_object(Sphere, Transform::new(DVec3::ONE, DVec3::ZERO, DVec3::new(5.0, 0.0, 0.0)), red);
     let source = LightSource::Point(DVec3::new(10.0, 10.0, 20.0));
     scene.lights.push(Light { shadows: Shadows::Straight, ..Light::new(source) });
     scene
@@ -33,7 +33,7 @@ fn scene() -> Scene {
 /// Returns the camera after `turn` revolutions; it looks at the black hole.
 fn camera(turn: f64) -> Option<Camera> {
     let (sin, cos) = (std::f64::consts::TAU * turn).sin_cos();
-    Camera::looking(DVec3::new(15.0 * sin, 2.0, 15.0 * cos), DVec3::ZERO, DVec3::Y, Arc::new(Pinhole { fov: 60.0 }))
+    Camera::look_at(DVec3::new(15.0 * sin, 2.0, 15.0 * cos), DVec3::ZERO, DVec3::Y, Arc::new(Pinhole { fov: 60.0 }))
 }
 
 fn main() -> Result<(), Box<dyn Error>> {
@@ -44,7 +44,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     for frame in 0..3 {
         let scene = Scene { camera: camera(0.02 * f64::from(frame)), ..first.clone() };
         renderer.set_scene(scene.clone())?;
-        let rendering = renderer.picture()?;
+        let rendering = renderer.render()?;
         let path = folder.join(format!("bentray_picture_{frame}.png"));
         save(Path::new(&path), &scene, &rendering)?;
         println!("{}: {}", path.display(), rendering.totals);

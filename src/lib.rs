@@ -31,7 +31,7 @@
 //! # fn main() -> Result<(), Box<dyn std::error::Error>> {
 //! let scene = Scene::load("scenes/black_hole.toml".as_ref(), &[])?;
 //! let gpu = Gpu::open(None)?;
-//! let picture = Renderer::new(&gpu, &scene, RenderSettings::default())?.picture()?;
+//! let picture = Renderer::new(&gpu, &scene, RenderSettings::default())?.render()?;
 //! println!("{}", picture.totals);
 //! # Ok(())
 //! # }

@@ -218,7 +218,7 @@ fn long_walks_go_on_in_every_structure() {
                 assert_eq!(end.status, Status::Hit, "{accelerate} {schedule:?}");
                 assert!((end.x[2] + 3.0).abs() < 1e-4, "{accelerate} {schedule:?}: {:?}", end.x);
             }
-            let totals = Renderer::new(&gpu, &scene, settings).unwrap().picture().unwrap().totals;
+            let totals = Renderer::new(&gpu, &scene, settings).unwrap().render().unwrap().totals;
             assert_eq!((totals.rays, totals.count(Status::Hit)), (48, 48), "{accelerate} {schedule:?}: {totals}");
         }
     }
@@ -248,7 +248,7 @@ fn a_heap_in_one_cell_fails_in_sight_or_is_met() {
     let scene = Scene::parse(&text, &folder.path().join("scene.toml"), &[]).unwrap();
     for schedule in [Schedule::Whole, Schedule::Segment] {
         let settings = RenderSettings { choice: Choice { schedule, ..Choice::default() }, ..RenderSettings::default() };
-        let totals = Renderer::new(&gpu, &scene, settings).unwrap().picture().unwrap().totals;
+        let totals = Renderer::new(&gpu, &scene, settings).unwrap().render().unwrap().totals;
         if gpu.profile.loop_budget.is_some() {
             let failed = totals.count(Status::Failed);
             assert!(failed > 0, "{schedule:?}: {totals}");

@@ -266,7 +266,7 @@ fn a_controller_without_its_cap_is_found_out() {
 fn chosen_pixels_are_the_pictures_own() {
     let gpu = gpu();
     let scene = scene(&format!("{HOLE}method = \"rk4\"\n[sky]\ncolor = [1, 1, 1]\n"));
-    let picture = Renderer::new(&gpu, &scene, RenderSettings::default()).unwrap().picture().unwrap();
+    let picture = Renderer::new(&gpu, &scene, RenderSettings::default()).unwrap().render().unwrap();
     let mut tracer = Tracer::new(&gpu, &scene, RenderSettings::default(), Purpose::Pixels).unwrap();
     let pixels: Vec<[u32; 2]> = (0..72).flat_map(|y| (0..96).map(move |x| [95 - x, y])).collect();
     let (rays, _) = tracer.follow(Starts::Pixels(&pixels, 96)).unwrap();

@@ -19,7 +19,7 @@ const BALL: &str = "[rays]\nbounding_sphere = { radius = 20 }\n[sky]\ncolor = [0
 
 fn rendered(scene: &Scene, settings: RenderSettings) -> Rendering {
     let gpu = gpu();
-    Renderer::new(&gpu, scene, settings).unwrap().picture().unwrap()
+    Renderer::new(&gpu, scene, settings).unwrap().render().unwrap()
 }
 
 fn with_status() -> RenderSettings {

@@ -72,7 +72,7 @@ fn pictures_do_not_depend_on_the_profile() {
         let own = gpu.profile;
         let [here, there] = [own, other].map(|profile| {
             gpu.profile = profile;
-            Renderer::new(&gpu, &scene, RenderSettings::default()).unwrap().picture().unwrap()
+            Renderer::new(&gpu, &scene, RenderSettings::default()).unwrap().render().unwrap()
         });
         gpu.profile = own;
         assert!(here.band == there.band, "{name}");

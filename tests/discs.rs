@@ -273,7 +273,7 @@ fn light_of_translucent_discs_adds_up() {
         let seen = [Schedule::Whole, Schedule::Segment].map(|schedule| {
             let choice = Choice { schedule, layers: vec![Layer::ImageOrder], ..Choice::default() };
             let settings = RenderSettings { choice, ..RenderSettings::default() };
-            let picture = Renderer::new(&gpu(), &scene, settings).unwrap().picture().unwrap();
+            let picture = Renderer::new(&gpu(), &scene, settings).unwrap().render().unwrap();
             let Some(Plane::Vector(seen)) = picture.band.layer(Layer::ImageOrder) else { panic!("no orders") };
             orders.resize(3, 0.0);
             // The third time some cross so far out and grazing that 32 bits tell.

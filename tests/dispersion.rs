@@ -71,7 +71,7 @@ fn colours_of_the_spectrum_add_up_to_white() {
 
 /// The mean of each channel over a picture, with its standard error.
 fn means(text: &str) -> [(f64, f64); 3] {
-    let picture = Renderer::new(&gpu(), &scene(text), RenderSettings::default()).unwrap().picture().unwrap();
+    let picture = Renderer::new(&gpu(), &scene(text), RenderSettings::default()).unwrap().render().unwrap();
     assert_eq!(picture.totals.unfollowed(), 0, "{}", picture.totals);
     [0, 1, 2].map(|channel| mean_of(&picture, channel))
 }

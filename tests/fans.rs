@@ -22,7 +22,7 @@ fn room(material: &str, rays: &str, law: &str) -> String {
 fn picture(text: &str) -> Vec<DVec3> {
     let scene = scene(text);
     let [red, green, blue] =
-        Renderer::new(&gpu(), &scene, RenderSettings::default()).unwrap().picture().unwrap().band.color;
+        Renderer::new(&gpu(), &scene, RenderSettings::default()).unwrap().render().unwrap().band.color;
     (0..red.len()).map(|i| DVec3::new(red[i].into(), green[i].into(), blue[i].into())).collect()
 }
 

@@ -11,7 +11,7 @@ use crate::support::{gpu, scene};
 const TABLE: &str = include_str!("tables/filters.tsv");
 
 fn rendered(scene: &Scene, choice: Choice) -> Rendering {
-    Renderer::new(&gpu(), scene, RenderSettings { choice, ..RenderSettings::default() }).unwrap().picture().unwrap()
+    Renderer::new(&gpu(), scene, RenderSettings { choice, ..RenderSettings::default() }).unwrap().render().unwrap()
 }
 
 /// One ray from a place in a direction, to a white screen through another place.

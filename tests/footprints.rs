@@ -11,7 +11,7 @@ use crate::support::{gpu, scene};
 fn of(scene: &Scene, schedule: Schedule, tile_pixels: u64) -> Band {
     let choice = Choice { schedule, ..Choice::default() };
     let settings = RenderSettings { choice, tile_pixels, ..RenderSettings::default() };
-    Renderer::new(&gpu(), scene, settings).unwrap().picture().unwrap().band
+    Renderer::new(&gpu(), scene, settings).unwrap().render().unwrap().band
 }
 
 fn shown(scene: &Scene) -> Band {

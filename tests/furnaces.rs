@@ -150,7 +150,7 @@ fn check(table: &str, size: [u32; 2], samples_a_pixel: u32, law_and_objects: fn(
              wall = {{ kind = \"phong\", diffuse = [0.5, 0.2, 0], emission = [0.5, 0.4, 0.3] }}\n\
              # Where n² is four times as large.\nbright = {{ kind = \"phong\", diffuse = [0.5, 0.2, 0], emission = [2, 1.6, 1.2] }}\n"
         );
-        let picture = Renderer::new(&gpu, &scene(&text), RenderSettings::default()).unwrap().picture().unwrap();
+        let picture = Renderer::new(&gpu, &scene(&text), RenderSettings::default()).unwrap().render().unwrap();
         let mut off = 0.0_f64;
         for (values, radiance) in picture.band.color.iter().zip([1.0, 0.5, 0.3]) {
             let each = values.iter().map(|value| (f64::from(*value) / (radiance * brighter) - 1.0).abs());

@@ -122,7 +122,7 @@ fn rendered(gpu: &Gpu, mut asked: Asked, to: &Path) -> image::RgbImage {
     if let Some(found) = calibrate_for(gpu, &first, &settings, rays).unwrap() {
         scene = found.applied(&scene);
     }
-    let picture = Renderer::new(gpu, &scene, settings).unwrap().picture().unwrap();
+    let picture = Renderer::new(gpu, &scene, settings).unwrap().render().unwrap();
     let path = to.join(&asked.name);
     save(&path, &scene, &picture).unwrap();
     image::open(path).unwrap().to_rgb8()

@@ -11,7 +11,7 @@ use crate::support::{gpu, mean_of, scene};
 fn rendered(text: &str, choice: Choice) -> Rendering {
     Renderer::new(&gpu(), &scene(text), RenderSettings { choice, ..RenderSettings::default() })
         .unwrap()
-        .picture()
+        .render()
         .unwrap()
 }
 

@@ -147,7 +147,7 @@ fn long_walks_through_meshes_that_are_kept_once_go_on() {
             assert!(end.status == Status::Hit && (end.x[2] + 3.0).abs() < 1e-4, "{schedule:?}: {end:?}");
         }
         let settings = RenderSettings { choice: Choice { schedule, ..Choice::default() }, ..RenderSettings::default() };
-        let totals = Renderer::new(&gpu(), &scene, settings).unwrap().picture().unwrap().totals;
+        let totals = Renderer::new(&gpu(), &scene, settings).unwrap().render().unwrap().totals;
         assert_eq!((totals.rays, totals.count(Status::Hit)), (12, 12), "{schedule:?}: {totals}");
     }
 }

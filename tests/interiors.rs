@@ -22,7 +22,7 @@ fn room(rays: &str, objects: &[&str]) -> String {
 
 fn rendered(scene: &Scene, choice: Choice) -> Rendering {
     let settings = RenderSettings { choice, ..RenderSettings::default() };
-    Renderer::new(&gpu(), scene, settings).unwrap().picture().unwrap()
+    Renderer::new(&gpu(), scene, settings).unwrap().render().unwrap()
 }
 
 const GLASS: &str = "shape = \"sphere\"\nradius = 1.2\ninterior = 1.5";

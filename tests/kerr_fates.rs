@@ -2,7 +2,7 @@
 
 use bentray::model::camera::observer;
 use bentray::model::law::KerrNewman;
-use bentray::model::source::spheroid;
+use bentray::model::point_source::spheroid;
 use bentray::model::{Camera, Law, Value};
 use bentray::render::{RenderSettings, Status, trace};
 use glam::DVec3;

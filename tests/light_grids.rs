@@ -105,7 +105,7 @@ fn shadows_lie_where_straight_ones_do() {
     let picture = |shadows: &str| {
         let light = lamp("").replace("photon-grid", shadows);
         let room = scene(&format!("{ROOM}[rays]\nbounding_sphere = {{ radius = 9 }}\n{WALLS}{light}"));
-        Renderer::new(&gpu(), &room, RenderSettings::default()).unwrap().picture().unwrap()
+        Renderer::new(&gpu(), &room, RenderSettings::default()).unwrap().render().unwrap()
     };
     let [grid, straight, none] = ["photon-grid", "straight-rays", "none"].map(picture);
     let (mut agree, mut all, mut dark) = (0, 0, 0);
@@ -130,7 +130,7 @@ fn pictures_do_not_depend_on_the_schedule() {
     let picture = |schedule, masks, tile_pixels| {
         let choice = Choice { schedule, masks, ..Choice::default() };
         let settings = RenderSettings { choice, tile_pixels, ..RenderSettings::default() };
-        Renderer::new(&gpu(), &room, settings).unwrap().picture().unwrap().band
+        Renderer::new(&gpu(), &room, settings).unwrap().render().unwrap().band
     };
     let first = picture(Schedule::Whole, RaySkipping::List, 1 << 20);
     assert!(first.color[0].iter().any(|value| *value > 0.0));
@@ -167,7 +167,7 @@ fn grids_are_kept_while_the_light_stays() {
         let next = scene(&text.replace(change.0, change.1));
         renderer.set_scene(next.clone()).unwrap();
         let mut fresh = Renderer::new(&gpu, &next, RenderSettings::default()).unwrap();
-        assert!(renderer.picture().unwrap().band == fresh.picture().unwrap().band);
+        assert!(renderer.render().unwrap().band == fresh.render().unwrap().band);
         // The times that they took are never the same.
         assert_eq!(renderer.light_reports().into_iter().eq(&before), keeps, "{change:?}");
     }

@@ -61,7 +61,7 @@ fn lit(law: &str, shadows: &str, falloff: &str) -> String {
 
 fn picture(text: &str) -> Vec<f64> {
     let scene = scene(text);
-    let rendered = Renderer::new(&gpu(), &scene, RenderSettings::default()).unwrap().picture().unwrap();
+    let rendered = Renderer::new(&gpu(), &scene, RenderSettings::default()).unwrap().render().unwrap();
     assert_eq!(rendered.totals.unfollowed(), 0, "{}", rendered.totals);
     rendered.band.color[0].iter().map(|value| f64::from(*value)).collect()
 }

@@ -52,7 +52,7 @@ fn a_law_that_repeats_a_built_in_one_gives_its_picture_bit_by_bit() {
             text.replace(&format!("kind = \"wgsl\"\nfile = \"law.wgsl\"\n{parameters}"), "kind = \"schwarzschild\"");
         let known = Scene::parse(&text, Path::new("scene.toml"), &[]).unwrap();
         let picture =
-            |scene: &Scene| Renderer::new(&gpu, scene, RenderSettings::default()).unwrap().picture().unwrap().band;
+            |scene: &Scene| Renderer::new(&gpu, scene, RenderSettings::default()).unwrap().render().unwrap().band;
         assert!(picture(&own) == picture(&known), "{method}");
     }
 }
@@ -206,7 +206,7 @@ fn shipped_laws_are_followed_to_their_ends() {
         let keys = ["image.size=[48, 32]", "image.samples=1", "rays.method=dormand-prince"];
         let keys: Vec<_> = keys.iter().map(|key| key.parse().unwrap()).collect();
         let scene = Scene::load(&path, &keys).unwrap_or_else(|error| panic!("{error}"));
-        let totals = Renderer::new(&gpu, &scene, RenderSettings::default()).unwrap().picture().unwrap().totals;
+        let totals = Renderer::new(&gpu, &scene, RenderSettings::default()).unwrap().render().unwrap().totals;
         assert!(totals.unfollowed() <= 3, "{}: {totals}", path.display());
     }
 }

@@ -17,7 +17,7 @@ fn furnace(law: &str, camera: &str, rest: &str) -> String {
 }
 
 pub fn rendered(scene: &Scene, settings: RenderSettings) -> Rendering {
-    Renderer::new(&gpu(), scene, settings).unwrap().picture().unwrap()
+    Renderer::new(&gpu(), scene, settings).unwrap().render().unwrap()
 }
 
 /// What a floor shows of a lamp is its albedo times E/π, aimed at or not.

@@ -50,7 +50,7 @@ fn state_on_the_device_is_small() {
 
 fn rendered(scene: &Scene, settings: RenderSettings) -> Rendering {
     let gpu = gpu();
-    Renderer::new(&gpu, scene, settings).unwrap().picture().unwrap()
+    Renderer::new(&gpu, scene, settings).unwrap().render().unwrap()
 }
 
 /// The depth of bent rays is the length of their paths, as `trace` stores them, and the same for every schedule.

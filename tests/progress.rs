@@ -71,7 +71,7 @@ fn tiles_that_end_are_reported_though_a_sample_is_one_submission() {
             );
             Ok(())
         };
-        renderer.render(&mut at_band).unwrap();
+        renderer.render_bands(&mut at_band).unwrap();
         assert!(rows == 24 && progress.state().is_none(), "{keys}");
     }
 }

@@ -70,7 +70,7 @@ material = "white"
 "#;
 
 fn rendered(scene: &Scene, settings: RenderSettings) -> Rendering {
-    Renderer::new(&gpu(), scene, settings).unwrap().picture().unwrap()
+    Renderer::new(&gpu(), scene, settings).unwrap().render().unwrap()
 }
 
 fn with_layers(layers: &[Layer]) -> RenderSettings {

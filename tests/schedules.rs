@@ -73,7 +73,7 @@ fn scattered_survivors_do_not_depend_on_the_schedule() {
     for (path, survivors) in scenes_in("scenes/bench").into_iter().zip([1.0..=1.0, 0.08..=0.12]) {
         assert_all_the_same(&path, &["--size", "48x36"]);
         let scene = Scene::load(&path, &["image.size=[160, 120]".parse().unwrap()]).unwrap();
-        let totals = Renderer::new(&gpu, &scene, RenderSettings::default()).unwrap().picture().unwrap().totals;
+        let totals = Renderer::new(&gpu, &scene, RenderSettings::default()).unwrap().render().unwrap().totals;
         let share = totals.count(Status::Escaped) as f64 / totals.rays as f64;
         assert!(survivors.contains(&share), "{}: {share} of the rays go on", path.display());
         assert!(totals.segments as f64 > 100.0 * share * totals.rays as f64, "{totals}");
@@ -230,7 +230,7 @@ fn what_outlives_a_pass_is_followed_on() {
     let render = |schedule: Schedule| {
         let mut renderer = Renderer::new(&gpu, &scene, tiled(schedule)).unwrap();
         assert_eq!(renderer.program().features.schedule, schedule);
-        [renderer.picture().unwrap(), renderer.picture().unwrap()]
+        [renderer.render().unwrap(), renderer.render().unwrap()]
     };
     let [[fused, _], [whole, again]] = [Schedule::Fused, Schedule::Whole].map(render);
     assert!(fused.totals.steps > 20_000 * fused.totals.rays, "{}", fused.totals);
@@ -239,7 +239,7 @@ fn what_outlives_a_pass_is_followed_on() {
     let coarse = Scene { rays: Rays { control: scaled::with(0.1), ..scene.rays.clone() }, ..scene.clone() };
     let mut renderer = Renderer::new(&gpu, &coarse, tiled(Schedule::Whole)).unwrap();
     renderer.retune(scene.rays.control, scene.rays.max_segments).unwrap();
-    let retuned = renderer.picture().unwrap();
+    let retuned = renderer.render().unwrap();
     for picture in [whole, again, retuned] {
         assert!(picture.band == fused.band, "the pictures differ");
         let counts = |r: &Rendering| (r.totals.rays, r.totals.steps, r.totals.segments, r.totals.by_status.clone());
@@ -255,7 +255,7 @@ fn narrow_windows_are_columns_of_the_whole() {
     let of = |schedule, window| {
         let choice = Choice { schedule, ..Choice::default() };
         let settings = RenderSettings { choice, window, ..RenderSettings::default() };
-        Renderer::new(&gpu, &scene, settings).unwrap().picture().unwrap().band
+        Renderer::new(&gpu, &scene, settings).unwrap().render().unwrap().band
     };
     let whole = of(Schedule::Fused, None);
     for schedule in [Schedule::Fused, Schedule::Whole, Schedule::Paper] {
@@ -294,7 +294,7 @@ fn ends(precision: &str) -> (Vec<u32>, Vec<DVec3>, Rendering) {
     let scene = scene(&HOLE.replace("[rays]", &format!("[rays]\nprecision = \"{precision}\"")));
     let choice = Choice { layers: vec![Layer::Status, Layer::Position], ..Choice::default() };
     let picture =
-        Renderer::new(&gpu, &scene, RenderSettings { choice, ..RenderSettings::default() }).unwrap().picture().unwrap();
+        Renderer::new(&gpu, &scene, RenderSettings { choice, ..RenderSettings::default() }).unwrap().render().unwrap();
     let [(_, Plane::Id(statuses)), (_, Plane::Vector([x, y, z]))] = &picture.band.layers[..] else {
         panic!("two layers: {:?}", picture.band.layers)
     };

@@ -13,7 +13,7 @@ use crate::support::{gpu, scene};
 pub fn rendered(scene: &Scene) -> Rendering {
     let choice = Choice { layers: vec![Layer::Position, Layer::Redshift], ..Choice::default() };
     let settings = RenderSettings { choice, ..RenderSettings::default() };
-    Renderer::new(&gpu(), scene, settings).unwrap().picture().unwrap()
+    Renderer::new(&gpu(), scene, settings).unwrap().render().unwrap()
 }
 
 pub fn shifts(picture: &Rendering) -> &[f32] {
@@ -108,7 +108,7 @@ fn light_shifts_in_time_as_series_say() {
                 .map(|&schedule| {
                     let choice = Choice { schedule, layers: vec![Layer::Redshift], ..Choice::default() };
                     let settings = RenderSettings { choice, ..RenderSettings::default() };
-                    shifts(&Renderer::new(&gpu(), &scene, settings).unwrap().picture().unwrap())[0]
+                    shifts(&Renderer::new(&gpu(), &scene, settings).unwrap().render().unwrap())[0]
                 })
                 .collect();
             let off = f64::from(seen[0]) / told - 1.0;

@@ -21,7 +21,7 @@ fn taken(scene: &str, changes: &str) -> [f64; 3] {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("scenes").join(scene);
     let scene = Scene::load(&path, &changes).unwrap_or_else(|error| panic!("{error}"));
     let gpu = gpu();
-    let picture = Renderer::new(&gpu, &scene, RenderSettings::default()).unwrap().picture().unwrap();
+    let picture = Renderer::new(&gpu, &scene, RenderSettings::default()).unwrap().render().unwrap();
     let totals = picture.totals;
     [totals.steps, totals.rejected, totals.segments].map(|count| count as f64 / totals.rays as f64)
 }

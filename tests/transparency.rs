@@ -13,7 +13,7 @@ use crate::support::{gpu, scene};
 fn rendered(scene: &Scene, schedule: Schedule) -> Rendering {
     let choice = Choice { schedule, masks: schedule.masks(), ..Choice::default() };
     let settings = RenderSettings { choice, ..RenderSettings::default() };
-    Renderer::new(&gpu(), scene, settings).unwrap().picture().unwrap()
+    Renderer::new(&gpu(), scene, settings).unwrap().render().unwrap()
 }
 
 fn alpha(scene: &Scene) -> Vec<f32> {

@@ -182,7 +182,7 @@ fn moving_objects_are_the_same_in_all_schedules() {
         let scene = scene(&text.replace("[rays]\n", &format!("[rays]\nacceleration = \"{accelerate}\"\n")));
         let choice = Choice { schedule, layers: vec![Layer::Position], ..Choice::default() };
         let settings = RenderSettings { choice, ..RenderSettings::default() };
-        Renderer::new(&gpu(), &scene, settings).unwrap().picture().unwrap()
+        Renderer::new(&gpu(), &scene, settings).unwrap().render().unwrap()
     };
     let now = text(11.0, 0.0);
     let told = picture(&now, Schedule::Whole, "auto");

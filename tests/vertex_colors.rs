@@ -68,7 +68,7 @@ fn scene(n: u32, rays: &str, materials: &str, objects: &[String]) -> Scene {
 fn check(scene: &Scene, schedule: Schedule, tolerance: f64, expected: impl Fn(usize, DVec3) -> DVec3) {
     let choice = Choice { schedule, ..Choice::default() };
     let settings = RenderSettings { choice, ..RenderSettings::default() };
-    let band = Renderer::new(&gpu(), scene, settings).unwrap().picture().unwrap().band;
+    let band = Renderer::new(&gpu(), scene, settings).unwrap().render().unwrap().band;
     let mut seen = 0;
     for (i, (row, column)) in (0..SIZE).flat_map(|row| (0..SIZE).map(move |column| (row, column))).enumerate() {
         let at = |k: u32| HALF * (2.0 * (f64::from(k) + 0.5) / f64::from(SIZE) - 1.0);

@@ -176,7 +176,7 @@ fn each_side_has_its_own_sky_and_objects() {
             "[image]\nsize = [1, 1]\n[camera]\nposition = [0, 0, 6]\nlook_at = [0, 0, {ahead}]\nfov = 1\n[law]\nkind = \"wormhole\"\n\
              other_mouth = [90, 0, 0]\n[rays]\nbounding_sphere = {{ radius = 30 }}\nmethod = \"dormand-prince\"\nlighting = \"{transport}\"\n{rest}"
         ));
-        let picture = Renderer::new(&gpu, &scene, RenderSettings::default()).unwrap().picture().unwrap();
+        let picture = Renderer::new(&gpu, &scene, RenderSettings::default()).unwrap().render().unwrap();
         let color = DVec3::from_array([0, 1, 2].map(|channel| f64::from(picture.band.color[channel][0])));
         assert_eq!(color, DVec3::from_array(expected), "towards z = {ahead} by {transport}, {rest}");
     }

@@ -4,7 +4,7 @@
 
 mod expression;
 mod files;
-mod flaw;
+mod format_error;
 mod gltf;
 mod grid;
 mod mesh;

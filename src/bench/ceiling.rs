@@ -27,7 +27,7 @@ const OPERATIONS: f64 = 2.0;
 /// Measures fused multiply-adds, and reads and writes of texels.
 pub(super) fn ceilings(bench: &Bench) -> Result<Table, RenderError> {
     let mut table = Table::new("ceilings", "Peak rates of the device", "what | rate | unit | spread");
-    let iterations = constant("ceiling/multiply_add", "ITERATIONS");
+    let iterations = constant("device_speed/multiply_add", "ITERATIONS");
     let operations = f64::from(INVOCATIONS) * CHAINS * OPERATIONS * iterations;
     let bytes = 16.0 * f64::from(SIDE) * f64::from(SIDE);
     let squares = [SIDE / 8, SIDE / 8];
@@ -58,7 +58,7 @@ fn texture(bench: &Bench) -> Texture {
     })
 }
 
-/// A kernel of `shaders/ceiling/`.
+/// A kernel of `shaders/device_speed/`.
 struct Kernel<'a> {
     bench: &'a Bench<'a>,
     pipeline: Pipeline,
@@ -68,7 +68,7 @@ struct Kernel<'a> {
 impl<'a> Kernel<'a> {
     fn new(bench: &'a Bench, name: &str, texture: &Texture) -> Result<Self, RenderError> {
         let device = &bench.gpu.device;
-        let file = format!("ceiling/{name}");
+        let file = format!("device_speed/{name}");
         let unit = Unit::from(part(&file).ok_or(ProgramError::NoPart(file))?);
         let linked = link(&Parts { shared: vec![unit], ..Parts::default() }, "ceiling")?;
         let pipeline = Pipeline::new(bench.gpu, &linked, &reflect(&linked)?, bench.gpu.group[0])?;

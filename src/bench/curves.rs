@@ -60,7 +60,7 @@ pub(super) fn curves(bench: &Bench) -> Result<(Table, Chart), RenderError> {
             .map(|scene| Renderer::new(bench.gpu, scene, RenderSettings::default()))
             .collect::<Result<Vec<_>, _>>()?;
         let mut runs: Vec<_> =
-            renderers.iter_mut().map(|renderer| || Ok(device_time(&renderer.picture()?.totals))).collect();
+            renderers.iter_mut().map(|renderer| || Ok(device_time(&renderer.render()?.totals))).collect();
         let times = Times::all_by_turns(bench.repeats, &mut runs)?;
         let first = times[0].median;
         for (way, times) in used.iter().zip(&times) {

@@ -105,7 +105,7 @@ fn measured(bench: &Bench, scene: &Scene) -> Result<Measured, RenderError> {
     let mut segments = 0;
     let slow = scene.rays.acceleration == Accelerate::None;
     let times = Times::of(if slow { 1 } else { bench.repeats }, || {
-        let totals = renderer.picture()?.totals;
+        let totals = renderer.render()?.totals;
         segments = totals.segments;
         totals.intersect().ok_or(RenderError::NoTimes)
     })?;

@@ -145,7 +145,7 @@ fn directions(bench: &Bench, name: &str, scene: &Scene, table: &mut Table) -> Re
 fn picture(bench: &Bench, scene: &Scene) -> Result<(Vec<f32>, f64), RenderError> {
     let mut renderer = Renderer::new(bench.gpu, scene, RenderSettings::default())?;
     let grid = renderer.light_reports().iter().map(|report| report.wall.as_secs_f64()).sum();
-    let [red, ..] = renderer.picture()?.band.color;
+    let [red, ..] = renderer.render()?.band.color;
     Ok((red, grid))
 }
 

@@ -63,11 +63,11 @@ fn add(bench: &Bench, name: &str, scene: &Scene, [table, shares]: [&mut Table; 2
     let rays = bench.pixels();
     let mut stages: Vec<[Duration; 5]> = Vec::new();
     let mut run_fused = || {
-        let totals = fused.picture()?.totals;
+        let totals = fused.render()?.totals;
         stages.extend(totals.device);
         Ok(totals.advance())
     };
-    let mut run_whole = || Ok(whole.picture()?.totals.advance());
+    let mut run_whole = || Ok(whole.render()?.totals.advance());
     let Some(steps) = steps else {
         let [_, c] = Times::by_turns(bench.repeats, [&mut run_fused, &mut run_whole])?;
         table.row(&[name, &words], [None::<f64>; 11]);

@@ -194,7 +194,7 @@ pub(super) fn run<'s>(
     settings: RenderSettings,
 ) -> Result<impl FnMut() -> Result<Duration, RenderError> + 's, RenderError> {
     let mut renderer = Renderer::new(bench.gpu, scene, settings)?;
-    Ok(move || Ok(renderer.picture()?.totals.advance()))
+    Ok(move || Ok(renderer.render()?.totals.advance()))
 }
 
 /// Returns the benchmark's scene.

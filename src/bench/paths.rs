@@ -81,7 +81,7 @@ fn picture(bench: &Bench, scene: &Scene) -> Result<(Rendering, Duration), Render
     let started = Instant::now();
     let mut renderer = Renderer::new(bench.gpu, scene, RenderSettings::default())?;
     renderer.choose_segments()?;
-    let picture = renderer.picture()?;
+    let picture = renderer.render()?;
     Ok((picture, started.elapsed()))
 }
 

@@ -105,7 +105,7 @@ fn curves(name: &str, measured: &[Measured]) -> impl Iterator<Item = Series> {
 fn measure(bench: &Bench, scene: &Scene) -> Result<(String, Vec<Measured>), RenderError> {
     let scene = bench.prepared(sampled(scene, Sampling::Uniform(1)))?;
     let truth = sampled(&scene, Sampling::Uniform(REFERENCE));
-    let truth = shown(&scene, &Renderer::new(bench.gpu, &truth, RenderSettings::default())?.picture()?);
+    let truth = shown(&scene, &Renderer::new(bench.gpu, &truth, RenderSettings::default())?.render()?);
     let mut measured = Vec::new();
     let footprints = UNIFORM.map(Sampling::Footprints).into_iter();
     let footprints = footprints.filter(|sampling| sampled(&scene, *sampling).has_footprints());
@@ -114,7 +114,7 @@ fn measure(bench: &Bench, scene: &Scene) -> Result<(String, Vec<Measured>), Rend
         let scene = sampled(&scene, sampling);
         let mut renderer = Renderer::new(bench.gpu, &scene, RenderSettings::default())?;
         renderer.choose_segments()?;
-        let picture = renderer.picture()?;
+        let picture = renderer.render()?;
         let off = shown(&scene, &picture).iter().zip(&truth).map(|(a, b)| (a - b).powi(2)).sum::<f64>();
         let adaptive = picture.totals.adaptive;
         measured.push(Measured {
@@ -122,7 +122,7 @@ fn measure(bench: &Bench, scene: &Scene) -> Result<(String, Vec<Measured>), Rend
             rmse: (off / truth.len() as f64).sqrt(),
             samples: adaptive.map_or_else(|| rays(&scene), |adaptive| adaptive.mean()),
             capped: adaptive.map(|adaptive| 100.0 * adaptive.capped as f64 / bench.pixels()),
-            times: Times::of(bench.repeats, || Ok(device_time(&renderer.picture()?.totals)))?,
+            times: Times::of(bench.repeats, || Ok(device_time(&renderer.render()?.totals)))?,
         });
     }
     Ok((method_words(scene.rays.method, scene.rays.control), measured))

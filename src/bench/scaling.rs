@@ -35,7 +35,7 @@ pub fn scaling(bench: &Bench) -> Result<Report, RenderError> {
             let mut renderer = Renderer::new(bench.gpu, &scene, by_fused(RaySkipping::List))?;
             let mut all = 0.0;
             let advance = Times::of(bench.repeats, || {
-                let totals = renderer.picture()?.totals;
+                let totals = renderer.render()?.totals;
                 all = device_time(&totals).as_secs_f64();
                 Ok(totals.advance())
             })?;

@@ -99,5 +99,5 @@ fn second(bench: &Bench, path: &Path) -> Result<Times, RenderError> {
         scene = found.applied(&scene);
     }
     let mut renderer = Renderer::new(bench.gpu, &scene, settings)?;
-    Times::of(bench.repeats, || Ok(renderer.picture()?.totals.wall))
+    Times::of(bench.repeats, || Ok(renderer.render()?.totals.wall))
 }

@@ -134,7 +134,7 @@ impl Sweep<'_> {
         let scene = crate::measure::reference(scene, 1e-9);
         let other = crate::measure::double_device(self.gpu)?;
         let settings = RenderSettings { segments: 256, ..RenderSettings::default() };
-        let picture = Renderer::new(other.as_ref().unwrap_or(self.gpu), &scene, settings)?.picture()?;
+        let picture = Renderer::new(other.as_ref().unwrap_or(self.gpu), &scene, settings)?.render()?;
         Ok(picture.band.color.concat())
     }
 
@@ -155,7 +155,7 @@ impl Sweep<'_> {
         let mut all =
             Renderer::new(self.gpu, &scene, RenderSettings { choice, apart: true, ..RenderSettings::default() })?;
         // The first run compiles.
-        all.picture()?;
+        all.render()?;
         let mut points: Vec<Point> = Vec::new();
         for &control in &candidate.controls {
             few.retune(control, SEGMENTS)?;
@@ -195,7 +195,7 @@ fn timed(renderer: &mut Renderer, repeats: usize) -> Result<Measured, RenderErro
     let mut seconds = Vec::new();
     let mut colors = Vec::new();
     for _ in 0..repeats {
-        let picture = renderer.picture()?;
+        let picture = renderer.render()?;
         seconds.push(picture.totals.advance().as_secs_f64());
         colors = picture.band.color.concat();
     }

@@ -4,6 +4,7 @@ use std::path::PathBuf;
 
 use glam::{DVec3, Vec4};
 
+use super::choose_method::{Settled, settle};
 use super::decisions::Rays;
 use super::format::counted;
 use super::frames::Film;
@@ -11,7 +12,6 @@ use super::of_scene;
 use super::options::{DeviceFlags, SceneOptions};
 use super::paths;
 use super::render::warn;
-use super::settle::{Settled, settle};
 use crate::error::Error;
 use crate::output::csv::{LightRow, Table, read_places};
 use crate::render::{LightPath, StartUp, light_grids, light_paths};

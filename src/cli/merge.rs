@@ -6,7 +6,7 @@ use clap::Args;
 
 use super::{paths, screen};
 use crate::error::Error;
-use crate::output::assemble;
+use crate::output::merge;
 
 /// Combine the parts of an image (EXRs rendered with --crop or --part) into the files that one whole render would write
 #[derive(Debug, Args)]
@@ -23,5 +23,5 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Error> {
     let parts: Vec<_> = arguments.parts.iter().map(|part| (part.clone(), "one of the parts")).collect();
     paths::check(arguments.output.iter().map(PathBuf::as_path), &parts)?;
     let _stage = screen::progress().stage("assembling the parts");
-    Ok(assemble(&arguments.parts, &arguments.output)?)
+    Ok(merge(&arguments.parts, &arguments.output)?)
 }

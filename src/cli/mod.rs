@@ -26,7 +26,9 @@ macro_rules! usage {
 
 mod bench;
 mod check;
+mod choose_method;
 mod compare;
+mod continuation;
 mod decisions;
 mod devices;
 mod doctor;
@@ -36,7 +38,6 @@ mod formula;
 mod frame_list;
 mod frame_names;
 mod frames;
-mod go_on;
 mod help;
 mod import;
 mod interrupt;
@@ -49,7 +50,6 @@ mod paths;
 mod queue;
 mod render;
 mod screen;
-mod settle;
 mod share;
 mod shell;
 mod trace;

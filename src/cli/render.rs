@@ -4,8 +4,8 @@
 
 mod again;
 mod files;
-mod film;
 mod picture;
+mod video;
 mod work;
 
 use std::path::{Path, PathBuf};
@@ -15,15 +15,15 @@ use std::time::Duration;
 use clap::Args;
 use clap::builder::TypedValueParser;
 
+use super::choose_method::Settled;
+use super::continuation::{EarlierImage, SUMS, is_continuable};
 use super::format::Format;
 use super::frame_list::Frames;
 use super::frame_names::numbered;
 use super::frames::Film;
-use super::go_on::{EarlierImage, SUMS, is_continuable};
 use super::interrupt;
 use super::options::{DeviceFlags, SceneOptions, one_of, parse_bytes, parse_seconds, parse_window};
 use super::paths;
-use super::settle::Settled;
 use super::share::{Part, Share, Target};
 use super::{of_scene, say_line};
 use crate::error::Error;

@@ -11,12 +11,12 @@ use glam::DVec3;
 
 use self::beams::Beam;
 use self::diagram::{DiagramOptions, Group};
+use super::choose_method::{Settled, settle};
 use super::decisions::Rays;
 use super::frames::Film;
 use super::options::{DeviceFlags, SceneOptions};
 use super::paths;
 use super::render::warn;
-use super::settle::{Settled, settle};
 use crate::error::Error;
 use crate::gpu::Gpu;
 use crate::measure::{Curve, drift};

@@ -7,7 +7,7 @@ use wgpu::{
 
 use super::GpuError;
 use super::compiled::Compiled;
-use super::quiet::quietly;
+use super::driver_messages::quietly;
 use crate::program::{DeviceProfile, constant};
 use crate::progress::Progress;
 

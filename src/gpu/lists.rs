@@ -153,8 +153,8 @@ impl Source<'_> {
                 pack(name, layout, self.scene.lamps().into_iter().map(row)).map(Some)
             }
             "sky_cells" => {
-                let columns = constant("path/aim/sky", "SKY_COLUMNS") as u32;
-                let rows = constant("path/aim/sky", "SKY_ROWS") as u32;
+                let columns = constant("path/light_sampling/sky", "SKY_COLUMNS") as u32;
+                let rows = constant("path/light_sampling/sky", "SKY_ROWS") as u32;
                 let sky = self.scene.sky_cells([columns, rows]);
                 let all = [sky.total].into_iter().chain(sky.rows).chain(sky.cells);
                 Ok(Some(all.flat_map(f32::to_ne_bytes).collect()))

@@ -17,7 +17,7 @@ impl Source<'_> {
         let formulas = |objects: usize| (0..objects).filter_map(of_object).filter_map(Filter::formulas).count();
         let row = |filter: Option<&Filter>, before: usize| {
             let filter = filter.unwrap_or(&none);
-            let code = constant("filter/density", &filter.kind().to_uppercase()) as u32;
+            let code = constant("absorption/density", &filter.kind().to_uppercase()) as u32;
             let kind = vec![("kind".into(), Uint(code))];
             [filter.values(formulas(before)), kind].concat()
         };

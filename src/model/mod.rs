@@ -10,12 +10,13 @@
 //! modules are names, and values are numbers with the names of WGSL members. Users of the library implement [`Law`] or [`Medium`] for a
 //! custom kind, with WGSL as text, and put it into a [`Scene`](crate::scene::Scene).
 
+pub mod absorption;
 pub mod black_body;
 pub mod camera;
 pub mod control;
-pub mod cut;
+pub mod cross_section;
+mod dyn_eq;
 pub mod falloff;
-pub mod filter;
 mod halved;
 pub mod law;
 pub mod material;
@@ -24,23 +25,22 @@ pub mod medium;
 pub mod method;
 mod motion;
 mod part;
-mod same;
+pub mod point_source;
 pub mod shape;
-pub mod source;
 mod value;
 
+pub use absorption::Filter;
 pub use camera::{Camera, Projection, Stereo, StereoLayout};
 pub use control::Control;
-pub use filter::Filter;
+pub use dyn_eq::DynEq;
 pub use law::{CharacteristicSurface, Invariant, Law, Observer, Orbit, Order};
 pub use material::{Material, Pattern, Surface};
 pub use medium::{Gloss, Interior, Medium};
 pub use method::Method;
 pub use motion::{CIRCLE, ClosedForm, HARMONIC, PARABOLA, SPIRAL, STRAIGHT, Start};
 pub use part::{Promise, UserWgsl, Wgsl};
-pub use same::DynEq;
+pub use point_source::{Anchor, Capture, Source};
 pub use shape::{Object, RigidMotion, Shape, Substance};
-pub use source::{Anchor, Capture, Source};
 pub use value::{Binding, Row, Value};
 
 pub(crate) use value::{fields, row};

@@ -2,7 +2,7 @@
 //!
 //! *Practice.* Media whose paths have equal form share a motion; a module of the medium supplies the differences.
 
-use super::same::named;
+use super::dyn_eq::named;
 
 /// A motion in closed form.
 pub struct ClosedForm {

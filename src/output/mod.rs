@@ -3,17 +3,16 @@
 //! Every file is written completely or not at all ([`AtomicFile`]), and can be created before the computation of its contents, so that an
 //! unwritable path is reported first. Image writers ([`open`], [`ImageWriter`]) receive bands of full-width rows from the top. They store
 //! one band and a compressed tail, so that memory grows with the band and not with the image. A PNG stores display colors ([`png`]); an EXR
-//! stores every plane exactly ([`exr`]), also of a part of an image, and [`assemble()`] merges parts. Rays and results are CSV ([`csv`]),
+//! stores every plane exactly ([`exr`]), also of a part of an image, and [`merge()`] merges parts. Rays and results are CSV ([`csv`]),
 //! plots are SVG or PNG ([`plot`]), and a page of HTML shows them next to their tables ([`report`]). Identical input gives identical bytes.
 
-pub mod assemble;
 pub mod atomic;
 pub mod band;
 pub mod color;
 pub mod csv;
 pub mod error;
 pub mod exr;
-mod film;
+pub mod merge;
 pub mod origin;
 mod part;
 pub mod plot;
@@ -22,15 +21,16 @@ pub mod report;
 mod said;
 #[cfg(test)]
 mod tests;
+mod video;
 mod whole;
 
 use std::path::Path;
 
-pub use assemble::assemble;
 pub use atomic::{AtomicFile, abandon_unfinished, destination};
 pub use error::OutputError;
-pub use film::{alpha_in_film, check_film, film, is_film, lost_alpha};
+pub use merge::merge;
 pub use said::{said, settings_of};
+pub use video::{alpha_in_film, check_film, film, is_film, lost_alpha};
 pub use whole::picture;
 
 use crate::program::Layer;

@@ -7,7 +7,7 @@ use std::collections::BTreeSet;
 use std::fmt::Write as _;
 
 use super::declarations::{Declaration, declarations};
-use super::place::Location;
+use super::location::Location;
 use super::sources::{Source, Sources};
 use super::unit::Unit;
 use super::{ProgramError, linked};

@@ -2,7 +2,7 @@
 
 use thiserror::Error;
 
-use super::place::Location;
+use super::location::Location;
 
 /// A program that could not be linked or is not valid. Scenes of built-in modules alone cause only the last of these errors.
 #[derive(Debug, Error)]

@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use super::ProgramError;
 use super::declarations::Declaration;
-use super::place::Location;
+use super::location::Location;
 use super::tokens::Origin;
 use super::unit::Unit;
 

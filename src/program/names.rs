@@ -1,7 +1,7 @@
 //! The modules chosen so far, by name.
 
-use super::own::checked;
 use super::unit::{Author, Unit};
+use super::user_wgsl::checked;
 use super::{ProgramError, part};
 use crate::model::Wgsl;
 

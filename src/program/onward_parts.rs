@@ -11,14 +11,14 @@ pub(super) fn filter_parts(scene: &Scene, features: &Features, names: &mut Names
     if !features.filters {
         return;
     }
-    names.all(&["filter/along", "filter/density", "filter/track", "filter/jumping"]);
+    names.all(&["absorption/along", "absorption/density", "absorption/track", "absorption/jumping"]);
     let mut kinds: Vec<_> = scene.filters().map(|filter| (filter.texture().is_some(), filter.kind())).collect();
     // Where nothing absorbs, absorption is uniform.
     kinds.push((false, "even"));
     kinds.sort_unstable();
     kinds.dedup();
     if scene.filters().any(|filter| filter.texture().is_some()) {
-        names.all(&["filter/noise", "medium/fractal_noise"]);
+        names.all(&["absorption/noise", "medium/fractal_noise"]);
     }
     let formulas: Vec<_> = scene.filters().filter_map(Filter::formulas).collect();
     if !formulas.is_empty() {
@@ -40,7 +40,7 @@ pub(super) fn scatter_parts(scene: &Scene, features: &Features, regions: &Region
     names.all(&[
         "surface/scatter/scattered",
         if has_regions { "surface/region_set" } else { "surface/region_none" },
-        "surface/touching",
+        "surface/shared_surfaces",
     ]);
     names.when(in_pieces, &["segment/pass_top", "path/aside"]);
     if follows_paths {
@@ -76,10 +76,17 @@ pub(super) fn scatter_parts(scene: &Scene, features: &Features, regions: &Region
 /// Adds the modules for the throughput of a path, and for its continuation.
 fn path_parts(scene: &Scene, features: &Features, names: &mut Names) {
     let aims = scene.aims();
-    names.all(&["path/carried", "path/random", "path/vertex", "path/scatter", "path/aim/flight", "path/answer"]);
+    names.all(&[
+        "path/carried",
+        "path/random",
+        "path/vertex",
+        "path/scatter",
+        "path/light_sampling/flight",
+        "path/answer",
+    ]);
     names.when(features.clamps, &["picture/clamped"]);
     if !aims.is_empty() {
-        names.each("path/aim", aims.iter().copied());
+        names.each("path/light_sampling", aims.iter().copied());
         names.make(generated::aims(&aims, scene.beams().len()));
     }
 }

@@ -9,7 +9,7 @@ use super::regions::RegionKind;
 use super::structure::solids;
 use super::unit::Parts;
 use super::{Analysis, Features, ProgramError, RaySkipping, generated, short_lists};
-use crate::model::source::ANCHORS;
+use crate::model::point_source::ANCHORS;
 use crate::scene::{Precision, Scene, Segment};
 
 /// Chooses the modules of `scene`'s program. Modules of a contract that a pass does not call are dropped by the linker.

@@ -10,7 +10,7 @@ use std::sync::Arc;
 
 use glam::DVec3;
 
-use super::touching::Touching;
+use super::shared_surfaces::Touching;
 use crate::model::method::Path;
 use crate::model::{ClosedForm, Medium, STRAIGHT, Wgsl, medium};
 use crate::scene::{Object, Scene};

@@ -102,9 +102,9 @@ const MEDIA: [(&str, &str); 7] = [
 
 /// Modules that no short scene links, or no scene at all, each with a test that does.
 const TESTED: [(&str, &str); 9] = [
-    ("ceiling/multiply_add", "json_is_for_scripts"),
-    ("ceiling/texture_read", "json_is_for_scripts"),
-    ("ceiling/texture_write", "json_is_for_scripts"),
+    ("device_speed/multiply_add", "json_is_for_scripts"),
+    ("device_speed/texture_read", "json_is_for_scripts"),
+    ("device_speed/texture_write", "json_is_for_scripts"),
     ("law/time_given", "a_users_flow_is_followed"),
     ("medium/grid", "splines_go_through_their_samples"),
     ("segment/order_placed", "a_mesh_that_is_kept_once_is_met_where_its_copies_are"),

@@ -73,10 +73,10 @@ mod tests {
         let mut renderer = Renderer::new(&gpu, &a, settings(Schedule::Fused, u64::MAX)).unwrap();
         let mut of = |moments: &[&Scene]| {
             renderer.set_moments(moments.iter().copied().cloned().collect()).unwrap();
-            renderer.picture().unwrap().band
+            renderer.render().unwrap().band
         };
         let bands = [of(&[&a, &b]), of(&[&b, &a]), of(&[&a]), of(&[&b]), of(&[])];
-        let sharp = Renderer::new(&gpu, &b, settings(Schedule::Fused, u64::MAX)).unwrap().picture().unwrap().band;
+        let sharp = Renderer::new(&gpu, &b, settings(Schedule::Fused, u64::MAX)).unwrap().render().unwrap().band;
         assert!(bands[3] == sharp && bands[4] == bands[2] && bands[0] != bands[1]);
         let values = |band: &Band| -> Vec<f32> { band.color.concat() };
         let [ab, ba, aa, bb] = [0, 1, 2, 3].map(|k| values(&bands[k]));
@@ -94,7 +94,7 @@ mod tests {
         let of = |schedule, pixels| {
             let mut renderer = Renderer::new(&gpu, &first, settings(schedule, pixels)).unwrap();
             renderer.set_moments(moments.to_vec()).unwrap();
-            renderer.picture().unwrap().band
+            renderer.render().unwrap().band
         };
         let expected = of(Schedule::Fused, u64::MAX);
         for (schedule, pixels) in

@@ -13,11 +13,14 @@ use crate::progress::Stage;
 
 impl Renderer<'_> {
     /// Renders the image tile by tile; `rows` receives bands of complete rows from top to bottom.
-    pub fn render(&mut self, rows: &mut dyn FnMut(Band) -> Result<(), RenderError>) -> Result<Totals, RenderError> {
+    pub fn render_bands(
+        &mut self,
+        rows: &mut dyn FnMut(Band) -> Result<(), RenderError>,
+    ) -> Result<Totals, RenderError> {
         self.render_watched(rows, &Watch::default())
     }
 
-    /// Renders the image like [`render`](Self::render), with earlier samples and a preview.
+    /// Renders the image like [`render_bands`](Self::render_bands), with earlier samples and a preview.
     pub fn render_watched(
         &mut self,
         rows: &mut dyn FnMut(Band) -> Result<(), RenderError>,
@@ -145,9 +148,9 @@ impl Renderer<'_> {
     }
 
     /// Renders the whole image at once.
-    pub fn picture(&mut self) -> Result<Rendering, RenderError> {
+    pub fn render(&mut self) -> Result<Rendering, RenderError> {
         let mut all = Bands::default();
-        let totals = self.render(&mut all.sink())?;
+        let totals = self.render_bands(&mut all.sink())?;
         let band = all.whole.unwrap_or_else(|| self.band(0, 0));
         Ok(Rendering { band, totals })
     }

@@ -115,7 +115,7 @@ mod tests {
     fn another_scene_runs_the_pipelines_that_there_are() {
         let gpu = Gpu::open(None).unwrap();
         let (first, second) = (scene("center = [3, 0, 0]\n"), scene("center = [4, 1, 0]\nradius = 2\n"));
-        let fresh = |scene| Renderer::new(&gpu, scene, RenderSettings::default()).unwrap().picture().unwrap().band;
+        let fresh = |scene| Renderer::new(&gpu, scene, RenderSettings::default()).unwrap().render().unwrap().band;
         let expected = [fresh(&first), fresh(&second)];
         assert!(expected[0] != expected[1]);
         let mut renderer = Renderer::new(&gpu, &first, RenderSettings::default()).unwrap();
@@ -125,13 +125,13 @@ mod tests {
         let before = compiled(&renderer);
         for (scene, expected) in [(&second, &expected[1]), (&first, &expected[0])] {
             renderer.set_scene(scene.clone()).unwrap();
-            assert!(renderer.picture().unwrap().band == *expected);
+            assert!(renderer.render().unwrap().band == *expected);
             assert!(compiled(&renderer) == before, "a pass was compiled again");
         }
         // An ellipsoid is another shape than a sphere, so the renderer rejects it and keeps its scene.
         let refused = renderer.set_scene(scene("center = [3, 0, 0]\nscale = [1, 2, 1]\n"));
         assert!(matches!(refused, Err(RenderError::OtherProgram)), "{refused:?}");
-        assert!(renderer.picture().unwrap().band == expected[0]);
+        assert!(renderer.render().unwrap().band == expected[0]);
     }
 
     #[test]
@@ -143,15 +143,15 @@ mod tests {
         let mut other = first.clone();
         other.pictures[0].pixels = vec![[0.0, 0.5, 1.0]; first.pictures[0].pixels.len()].into();
         let mut renderer = Renderer::new(&gpu, &first, RenderSettings::default()).unwrap();
-        let stars = renderer.picture().unwrap().band;
+        let stars = renderer.render().unwrap().band;
         let before = renderer.prepared.buffers.picture(0).cloned();
         renderer.set_scene(first.clone()).unwrap();
-        assert!(renderer.prepared.buffers.picture(0) == before.as_ref() && renderer.picture().unwrap().band == stars);
+        assert!(renderer.prepared.buffers.picture(0) == before.as_ref() && renderer.render().unwrap().band == stars);
         renderer.set_scene(other.clone()).unwrap();
-        let fresh = Renderer::new(&gpu, &other, RenderSettings::default()).unwrap().picture().unwrap().band;
+        let fresh = Renderer::new(&gpu, &other, RenderSettings::default()).unwrap().render().unwrap().band;
         assert!(
             renderer.prepared.buffers.picture(0) != before.as_ref()
-                && renderer.picture().unwrap().band == fresh
+                && renderer.render().unwrap().band == fresh
                 && fresh != stars
         );
     }

@@ -54,7 +54,7 @@ impl Scene {
     /// # Panics
     ///
     /// Panics if there is no material of this index.
-    pub fn add(&mut self, shape: impl Shape, transform: Transform, material: usize) {
+    pub fn add_object(&mut self, shape: impl Shape, transform: Transform, material: usize) {
         assert!(material < self.materials.len(), "there is no material {material}");
         self.objects.push(Object::new(Arc::new(shape), transform, Substance::Opaque(material)));
     }

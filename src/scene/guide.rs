@@ -80,7 +80,7 @@ impl Scene {
         scene
     }
 
-    /// Returns the modules of `shaders/path/aim` for the targets of path guiding.
+    /// Returns the modules of `shaders/path/light_sampling` for the targets of path guiding.
     #[must_use]
     pub fn aims(&self) -> Vec<&'static str> {
         let lamps = (!self.lamps().is_empty()).then_some("lamps");

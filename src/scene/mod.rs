@@ -34,8 +34,8 @@ pub use crate::assets::{
     Node, Picture, Profile, ProfilePoint, Transform, Variable, Vertex,
 };
 pub use crate::document::{Diagnostic, KeyReference, Override, SceneError};
-pub use crate::model::cut::{CORNERS, CutPlane, Outline};
-pub use crate::model::filter::{Density, NoiseColoring, Texture};
+pub use crate::model::absorption::{Density, NoiseColoring, Texture};
+pub use crate::model::cross_section::{CORNERS, CutPlane, Outline};
 pub use crate::model::{
     Camera, Control, Filter, Gloss, Interior, Law, Material, Medium, Method, Object, Observer, Pattern, RigidMotion,
     Shape, Stereo, StereoLayout, Substance, Surface,

@@ -1,4 +1,4 @@
-//! `--crop`, `--memory` and `assemble`: a picture in parts is the picture.
+//! `--crop`, `--memory` and `merge`: a picture in parts is the picture.
 
 use bentray::output::picture;
 use bentray::program::Layer;

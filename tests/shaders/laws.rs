@@ -242,7 +242,7 @@ fn kerr_newman() {
         pulls.check3(output[1], hamilton.acceleration(x, v - f * w * l), (8.0 * U + 1e-9) * terms / (1.0 - f), input);
         assert!(wide(output[0]) == v);
         let scale = output[0].w;
-        scales.check(scale, bentray::model::source::spheroid::of(x, SPIN).0, 8.0 * U * f64::from(scale), input);
+        scales.check(scale, bentray::model::point_source::spheroid::of(x, SPIN).0, 8.0 * U * f64::from(scale), input);
     }
     for errors in [pulls, nulls, restarts, scales] {
         errors.report();

@@ -9,8 +9,8 @@ use glam::DVec3;
 /// The part of the pixels in which both agree to `tolerance`, in every channel.
 pub fn agreement(text: &str, tolerance: f64) -> f64 {
     let scene = scene(text);
-    let expected = Tracer::new(&scene).picture();
-    let rendered = Renderer::new(&gpu(), &scene, RenderSettings::default()).unwrap().picture().unwrap().band.color;
+    let expected = Tracer::new(&scene).render();
+    let rendered = Renderer::new(&gpu(), &scene, RenderSettings::default()).unwrap().render().unwrap().band.color;
     let at = |i: usize| DVec3::from([0, 1, 2].map(|channel: usize| f64::from(rendered[channel][i])));
     assert_eq!(expected.len(), rendered[0].len());
     let agree = |(i, color): (usize, &DVec3)| (at(i) - color).abs().max_element() <= tolerance;
@@ -47,7 +47,7 @@ fn deep_trees_are_rendered_as_they_are_traced() {
     let block = "shape = \"box\"\ncenter = [0.3, -0.6, 0.5]\nsize = [1.6, 1.2, 1.2]\nrotate = [0, 20, 0]\ninterior = 4";
     let pane = "shape = \"box\"\ncenter = [1, -0.4, 2.5]\nsize = [2, 1.6, 0.2]\nrotate = [0, 15, 0]\ninterior = 3";
     let small = |branches| room(branches, &[block, pane]).replace("[128, 96]", "[40, 30]");
-    let [less, all] = [10, 14].map(|branches| Tracer::new(&scene(&small(branches))).picture());
+    let [less, all] = [10, 14].map(|branches| Tracer::new(&scene(&small(branches))).render());
     let grown = less.iter().zip(&all).filter(|(less, all)| (**all - **less).max_element() > 1e-4).count();
     assert!(grown * 30 > all.len(), "{grown} of {} pixels see more than ten branchings", all.len());
     let part = agreement(&small(14), 1e-5);
@@ -121,7 +121,7 @@ fn shadows_are_rendered_as_they_are_traced() {
         assert!(dark >= 0.998, "{name} without shadows: {dark}");
     }
     let [lit, plain] = [scenes[0].1.clone(), scenes[0].1.replace("shadows = \"straight-rays\"", "")]
-        .map(|text| Tracer::new(&scene(&text)).picture());
+        .map(|text| Tracer::new(&scene(&text)).render());
     let shaded = lit.iter().zip(&plain).filter(|(a, b)| **a != **b).count();
     assert!(shaded * 40 > lit.len(), "{shaded} pixels in shadow");
 }

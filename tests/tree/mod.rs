@@ -18,7 +18,7 @@ fn with_objects(text: &str, objects: &[&str]) -> String {
 
 /// The picture of a scene's text.
 fn picture(text: &str) -> Vec<DVec3> {
-    Tracer::new(&scene(text)).picture()
+    Tracer::new(&scene(text)).render()
 }
 
 /// The largest difference between two pictures.

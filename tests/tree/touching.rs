@@ -80,7 +80,7 @@ fn cylinders_and_disks_are_rendered_as_they_are_traced() {
 fn rendered(text: &str, choice: Choice) -> bentray::render::Rendering {
     Renderer::new(&gpu(), &scene(text), RenderSettings { choice, ..RenderSettings::default() })
         .unwrap()
-        .picture()
+        .render()
         .unwrap()
 }
 

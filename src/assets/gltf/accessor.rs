@@ -7,7 +7,7 @@ use gltf_json::validation::Checked::Valid;
 use gltf_json::{Accessor, Index, buffer::View};
 
 use super::Gltf;
-use crate::assets::flaw::FormatError;
+use crate::assets::format_error::FormatError;
 
 /// The elements of an accessor, all of which exist.
 pub(in crate::assets) struct Elements<'a> {

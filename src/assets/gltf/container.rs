@@ -10,7 +10,7 @@ use gltf_json::{Buffer, Index, Root, buffer::View};
 
 use super::Gltf;
 use super::nodes::Maps;
-use crate::assets::flaw::{FormatError, are_padding};
+use crate::assets::format_error::{FormatError, are_padding};
 use crate::document::{Diagnostic, SceneError, unmarked};
 
 /// The extensions that a file may require, because they are supported or do not affect meshes.

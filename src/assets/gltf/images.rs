@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use gltf_json::Texture;
 
 use super::Gltf;
-use crate::assets::flaw::FormatError;
+use crate::assets::format_error::FormatError;
 use crate::document::SceneError;
 
 /// The location of an image.

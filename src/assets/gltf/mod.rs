@@ -16,7 +16,7 @@ use std::sync::OnceLock;
 
 use gltf_json::{Index, Root, root::Get};
 
-use super::flaw::FormatError;
+use super::format_error::FormatError;
 
 pub(super) use accessor::Elements;
 pub use gltf_json as json;

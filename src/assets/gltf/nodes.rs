@@ -7,7 +7,7 @@ use gltf_json::{Index, Node};
 use serde::Deserialize;
 
 use super::Gltf;
-use crate::assets::flaw::FormatError;
+use crate::assets::format_error::FormatError;
 use crate::document::SceneError;
 use crate::document::values::suggest;
 

@@ -1,7 +1,7 @@
 //! Shared code of binary formats: values read from bytes, and errors at a byte offset.
 
 use super::text::LARGEST;
-use crate::assets::flaw::FormatError;
+use crate::assets::format_error::FormatError;
 
 /// A reader of bytes that takes values one after the other.
 pub(super) struct Bytes<'a> {

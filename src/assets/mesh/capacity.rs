@@ -6,7 +6,7 @@
 use std::fmt;
 use std::sync::{Arc, OnceLock};
 
-use crate::assets::flaw::FormatError;
+use crate::assets::format_error::FormatError;
 
 /// The largest number of triangles that a mesh may have. Clones share the answer.
 #[derive(Clone, Default)]

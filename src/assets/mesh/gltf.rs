@@ -24,7 +24,7 @@ use gltf_json::{Accessor, Index};
 use super::bytes::usable;
 use super::raw::{Corner, Raw};
 use super::{Capacity, Format, Mesh, Part, Parts, Read, Source};
-use crate::assets::flaw::FormatError;
+use crate::assets::format_error::FormatError;
 use crate::assets::gltf::{Elements, Gltf, NodeName};
 use crate::document::SceneError;
 

@@ -7,7 +7,7 @@ use glam::{DVec3, Vec2, Vec3};
 
 use super::raw::{Corner, Raw};
 use super::{Mesh, Vertex, normals};
-use crate::assets::flaw::FormatError;
+use crate::assets::format_error::FormatError;
 
 impl Raw {
     /// Returns the mesh. Missing normals are generated: faces that meet at an angle below `crease` degrees share their normals.

@@ -15,7 +15,7 @@ use super::bytes::{Bytes, usable};
 use super::raw::{Corner, MOST_CORNERS, Raw, too_many};
 use super::text::{Diagnostics, Wrong, numbers, words};
 use super::{Format, Read, Reading};
-use crate::assets::flaw::FormatError;
+use crate::assets::format_error::FormatError;
 use crate::document::{SceneError, lenient_text, unmarked};
 
 pub(super) const FORMAT: Format = Format { extensions: &["stl"], read: Read::Whole(read) };

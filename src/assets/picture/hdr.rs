@@ -17,7 +17,7 @@ use super::Decoded;
 use super::broken::broken;
 use super::encoding::{convert, matrix_of};
 use super::primaries::Primaries;
-use crate::assets::flaw::are_padding;
+use crate::assets::format_error::are_padding;
 use crate::progress::{Stage, Watched};
 
 /// The first bytes of every file; the name of a program follows.

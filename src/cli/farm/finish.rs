@@ -10,7 +10,7 @@ use crate::cli::format::{Found, shown};
 use crate::cli::share::Target;
 use crate::error::Error;
 use crate::output::origin::{LINES, SCENE, difference};
-use crate::output::{OutputError, assemble, settings_of};
+use crate::output::{OutputError, merge, settings_of};
 
 pub(super) fn run(job: &Job) -> Result<(), Error> {
     let loaded = job.load()?;
@@ -37,7 +37,7 @@ pub(super) fn run(job: &Job) -> Result<(), Error> {
     for (frame, files) in &bands {
         let outputs = job.paths(Target { frame: *frame, band: None });
         if !files.is_empty() {
-            assemble(files, &outputs)?;
+            merge(files, &outputs)?;
         }
         pictures.extend(outputs);
     }

@@ -3,8 +3,8 @@
 use std::path::{Path, PathBuf};
 
 use super::{Arguments, is_exr};
+use crate::cli::continuation::{self, EarlierImage, is_continuable};
 use crate::cli::frames::Film;
-use crate::cli::go_on::{self, EarlierImage, is_continuable};
 use crate::cli::paths;
 use crate::cli::share::Target;
 use crate::cli::watch::PreviewFile;
@@ -107,7 +107,7 @@ impl Arguments {
     ) -> Option<PreviewFile> {
         let path = self.preview.clone()?;
         let settings = file_settings(scene, (&path, self.window(scene)), layers, metadata);
-        let settings = move |samples| go_on::after(settings.clone(), samples);
+        let settings = move |samples| continuation::after(settings.clone(), samples);
         Some(PreviewFile::new(path, self.preview_every, Box::new(settings)))
     }
 

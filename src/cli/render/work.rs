@@ -6,12 +6,12 @@ use indicatif::{HumanBytes, HumanDuration};
 
 use super::picture::{Made, Picture};
 use super::{Arguments, warn};
+use crate::cli::choose_method::{Settled, settle};
 use crate::cli::decisions::Rays;
 use crate::cli::frames::Film;
 use crate::cli::interrupt;
 use crate::cli::origin::origin;
 use crate::cli::screen;
-use crate::cli::settle::{Settled, settle};
 use crate::cli::share::{Band, Target};
 use crate::cli::watch::PreviewFile;
 use crate::error::Error;

@@ -16,7 +16,7 @@ use std::sync::Arc;
 
 use glam::DVec3;
 
-use super::same::same;
+use super::dyn_eq::same;
 use super::{Binding, DynEq, Observer, Row, row};
 use crate::document::reader::TableReader;
 use crate::document::{self, Kinds};
@@ -126,7 +126,7 @@ pub enum StereoLayout {
 impl Camera {
     /// Returns a camera at a position that looks at a point, or `None` if the direction is zero or parallel to `up`.
     #[must_use]
-    pub fn looking(position: DVec3, at: DVec3, up: DVec3, projection: Arc<dyn Projection>) -> Option<Self> {
+    pub fn look_at(position: DVec3, at: DVec3, up: DVec3, projection: Arc<dyn Projection>) -> Option<Self> {
         let forward = (at - position).try_normalize()?;
         let right = forward.cross(up).try_normalize()?;
         let frame = Observer::Coordinate;

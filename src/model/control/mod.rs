@@ -17,7 +17,7 @@ pub mod scaled;
 use std::fmt;
 
 use super::Row;
-use super::same::named;
+use super::dyn_eq::named;
 use crate::document::Key;
 use crate::document::reader::TableReader;
 use crate::document::values::positive;

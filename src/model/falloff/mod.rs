@@ -9,7 +9,7 @@ mod yukawa;
 
 use std::fmt;
 
-use super::same::named;
+use super::dyn_eq::named;
 use super::{Row, Value};
 use crate::document::reader::TableReader;
 use crate::document::values::positive;

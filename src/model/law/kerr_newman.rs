@@ -19,7 +19,7 @@ use super::{CharacteristicSurface, Facts, Invariant, Kind, Law, Observer, Orbit,
 use crate::document::keys;
 use crate::document::values::{direction, number, positive, vector};
 use crate::model::halved::halved;
-use crate::model::source::spheroid;
+use crate::model::point_source::spheroid;
 use crate::model::{Anchor, Binding, Capture, Wgsl, row};
 
 /// The distance, as a fraction of M, to which rays approach a horizon that they would reach after infinite time, or the ring of a naked

@@ -9,17 +9,17 @@
 //!
 //! *Length.* This file is over 300 lines, because it contains the contract of laws and their properties, with documentation of each.
 
+mod characteristic_surface;
 mod charged;
+pub mod custom;
 mod flow;
 mod hole;
 mod kerr_newman;
-mod landmark;
 mod lorenz;
 mod medium;
 mod metric;
 mod observer;
 mod orbit;
-pub mod own;
 mod parametric;
 mod rossler;
 mod schwarzschild;
@@ -34,22 +34,22 @@ use std::sync::Arc;
 
 use glam::{DMat3, DMat4, DVec3, DVec4};
 
-use super::same::same;
-use super::{Anchor, Binding, Capture, ClosedForm, DynEq, Filter, Medium, Wgsl, filter};
+use super::dyn_eq::same;
+use super::{Anchor, Binding, Capture, ClosedForm, DynEq, Filter, Medium, Wgsl, absorption};
 use crate::assets::{Files, LineElement};
 use crate::document::reader::TableReader;
 use crate::document::{self, Kinds};
 
+pub use characteristic_surface::CharacteristicSurface;
+pub use custom::{CustomLaw, Depends};
 pub use flow::FlowOrder;
 pub use hole::{HoleForm, RoundHole};
 pub use kerr_newman::{KerrNewman, KerrSchild};
-pub use landmark::CharacteristicSurface;
 pub use lorenz::Lorenz;
 pub use medium::{InMedium, SOLVED_PARTS};
 pub use metric::Metric;
 pub use observer::{OBSERVER_PART, Observer};
 pub use orbit::{Orbit, OrbitForm, Throat};
-pub use own::{CustomLaw, Depends};
 pub use parametric::Parametric;
 pub use rossler::Rossler;
 pub use sources::{ByLength, Sources};
@@ -78,7 +78,7 @@ pub static KINDS: Kinds<Read> = Kinds {
         &rossler::KIND,
         &parametric::KIND,
         &medium::KIND,
-        &own::KIND,
+        &custom::KIND,
     ],
 };
 
@@ -352,7 +352,7 @@ pub(crate) fn read(root: &TableReader, files: &mut Files) -> (Option<Arc<dyn Law
     }
     let Some(table) = root.subtable("law", "law") else { return (None, None) };
     let law = KINDS.chosen(&table).and_then(|read| read(&table, files));
-    let filter = table.node("absorption").map(|node| filter::read(&table, node, DVec3::ZERO, files));
+    let filter = table.node("absorption").map(|node| absorption::read(&table, node, DVec3::ZERO, files));
     table.finish();
     match filter {
         Some(None) => (None, None),

@@ -10,7 +10,7 @@ use crate::document::keys;
 use crate::document::reader::TableReader;
 use crate::document::values::{choice, not_negative, not_zero, vector, word};
 use crate::model::falloff::{self, FALLOFFS, Falloff};
-use crate::model::source::SOURCES;
+use crate::model::point_source::SOURCES;
 use crate::model::{Anchor, Binding, Capture, Row, Source, Wgsl, row};
 
 pub static KIND: Kind = Kind {

@@ -20,7 +20,7 @@ use std::sync::Arc;
 
 use glam::DVec3;
 
-use super::same::same;
+use super::dyn_eq::same;
 use super::{DynEq, Row};
 use crate::assets::{FanRay, Files, Picture};
 use crate::document::reader::TableReader;

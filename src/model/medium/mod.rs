@@ -29,8 +29,8 @@ use std::sync::Arc;
 
 use glam::DVec3;
 
-use super::same::same;
-use super::{Capture, ClosedForm, DynEq, Filter, Row, Wgsl, filter};
+use super::dyn_eq::same;
+use super::{Capture, ClosedForm, DynEq, Filter, Row, Wgsl, absorption};
 use crate::assets::{Files, Formula};
 use crate::document::reader::TableReader;
 use crate::document::values::{direction, positive, suggest, vector};
@@ -272,7 +272,7 @@ pub(crate) fn read_interior(
     }
     let table = parent.reader.open("medium", node)?;
     let medium = KINDS.chosen(&table).and_then(|read| read(&table, around, files));
-    let filter = table.node("absorption").map(|node| filter::read(&table, node, around.center, files));
+    let filter = table.node("absorption").map(|node| absorption::read(&table, node, around.center, files));
     let gloss = gloss::read(&table);
     table.finish();
     let filter = match filter {

@@ -19,7 +19,7 @@ mod snell;
 use std::fmt;
 
 use super::control::{self, Control};
-use super::same::named;
+use super::dyn_eq::named;
 use super::{Binding, Order, Value};
 use crate::document::reader::TableReader;
 use crate::document::values::positive;

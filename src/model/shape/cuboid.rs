@@ -9,7 +9,7 @@ use crate::assets::Transform;
 use crate::document::keys;
 use crate::document::reader::TableReader;
 use crate::document::values::{extents, vector};
-use crate::model::cut::{LocalPlane, Outline, cuboid};
+use crate::model::cross_section::{LocalPlane, Outline, cuboid};
 
 pub static KIND: Kind = Kind {
     name: "box",

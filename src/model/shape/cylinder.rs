@@ -11,7 +11,7 @@ use super::{CENTER, Contact, Kind, Placed, Primitive, RADIUS, Shape};
 use crate::assets::Transform;
 use crate::document::keys;
 use crate::document::values::positive;
-use crate::model::cut::{LocalPlane, Outline, cylinder};
+use crate::model::cross_section::{LocalPlane, Outline, cylinder};
 use crate::model::medium::Surroundings;
 
 pub static KIND: Kind = Kind {

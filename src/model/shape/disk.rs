@@ -9,7 +9,7 @@ use super::{CENTER, Contact, Kind, NORMAL, Primitive, RADIUS, Shape, extent};
 use crate::assets::Transform;
 use crate::document::keys;
 use crate::document::values::{not_negative, positive};
-use crate::model::cut::{LocalPlane, ON, Outline, PARALLEL, circle};
+use crate::model::cross_section::{LocalPlane, ON, Outline, PARALLEL, circle};
 
 pub static KIND: Kind = Kind {
     name: "disk",

@@ -8,7 +8,7 @@ use super::{Contact, Kind, Primitive, Shape};
 use crate::assets::{Mesh, MeshRequest, NodeName, Part, Transform};
 use crate::document::values::{Read, number_where, whole};
 use crate::document::{Node, Value, keys};
-use crate::model::cut::{LocalPlane, Outline, mesh};
+use crate::model::cross_section::{LocalPlane, Outline, mesh};
 use crate::model::medium::Surroundings;
 
 pub static KIND: Kind = Kind {

@@ -14,10 +14,10 @@ mod extent;
 mod mesh;
 mod object;
 mod plane;
+mod primitive;
 mod read;
-mod solid;
+mod rigid_motion;
 mod sphere;
-mod travel;
 
 use std::fmt;
 use std::sync::Arc;
@@ -25,9 +25,9 @@ use std::sync::Arc;
 use glam::{DAffine3, DVec3};
 
 use super::DynEq;
-use super::cut::{LocalPlane, Outline};
+use super::cross_section::{LocalPlane, Outline};
+use super::dyn_eq::same;
 use super::medium::Surroundings;
-use super::same::same;
 use crate::assets::{Files, Mesh, Transform};
 use crate::document::reader::TableReader;
 use crate::document::{self, Key, Kinds, keys};
@@ -40,10 +40,10 @@ pub use extent::round_up;
 pub use mesh::Triangles;
 pub use object::{Object, Substance};
 pub use plane::Plane;
+pub use primitive::{Placed, Primitive};
 pub(crate) use read::read;
-pub use solid::{Placed, Primitive};
+pub use rigid_motion::RigidMotion;
 pub use sphere::Sphere;
-pub use travel::RigidMotion;
 
 /// Reads a shape, with the map from object space that its keys define; returns `None` after an error. `across` is the diameter of the
 /// bounding sphere.

@@ -10,7 +10,7 @@ use glam::DVec3;
 
 use super::{Primitive, RigidMotion, Shape, ball};
 use crate::assets::Transform;
-use crate::model::cut::{CutPlane, LocalPlane, Outline};
+use crate::model::cross_section::{CutPlane, LocalPlane, Outline};
 use crate::model::medium::Interior;
 
 /// A shape in object space with its placement and its substance.

@@ -9,7 +9,7 @@ use super::{CENTER, Contact, Kind, NORMAL, Placed, Primitive, Shape};
 use crate::assets::Transform;
 use crate::document::keys;
 use crate::document::values::{array, positive};
-use crate::model::cut::{LocalPlane, Outline, square};
+use crate::model::cross_section::{LocalPlane, Outline, square};
 
 pub static KIND: Kind = Kind {
     name: "plane",

@@ -2,7 +2,7 @@
 
 use glam::{DAffine3, DQuat, DVec3};
 
-use super::{KINDS, Object, Shape, Substance, ball, round_up, travel};
+use super::{KINDS, Object, Shape, Substance, ball, rigid_motion, round_up};
 use crate::assets::{Files, Transform};
 use crate::document::reader::TableReader;
 use crate::document::values::{Read, direction, extents, positive, suggest, text, vector, whole};
@@ -54,7 +54,7 @@ fn object(
     let substance = substance(table, shape.as_ref().map(|(shape, _)| &**shape).zip(place), materials, files);
     let (shape, _) = shape?;
     let transform = place?;
-    let travel = travel::read(table, law, Some(ball(shape.radius(), &transform).0));
+    let travel = rigid_motion::read(table, law, Some(ball(shape.radius(), &transform).0));
     if travel.is_some() && shape.mesh().is_some() {
         table.fault(&["orbit", "velocity"], "meshes cannot move", "use a shape that is not a mesh");
     }

@@ -8,7 +8,7 @@ use super::extent::ellipsoid;
 use super::{CENTER, Contact, Kind, Placed, Primitive, RADIUS, Shape};
 use crate::assets::Transform;
 use crate::document::values::{positive, vector};
-use crate::model::cut::{LocalPlane, Outline, circle};
+use crate::model::cross_section::{LocalPlane, Outline, circle};
 use crate::model::medium::Surroundings;
 
 pub static KIND: Kind = Kind {

@@ -6,7 +6,7 @@ use proptest::prelude::*;
 use tempfile::TempDir;
 
 use super::{folder, names};
-use crate::output::{FileSettings, assemble, open};
+use crate::output::{FileSettings, merge, open};
 use crate::program::Layer;
 use crate::render::{Band, Plane, Window};
 
@@ -57,7 +57,7 @@ fn assembled(
         write(&path, &settings, &band);
         paths.push(path);
     }
-    let result = assemble(&paths, &[folder.path().join("whole.exr")]).map_err(|error| error.to_string());
+    let result = merge(&paths, &[folder.path().join("whole.exr")]).map_err(|error| error.to_string());
     (folder, result)
 }
 
@@ -177,12 +177,12 @@ fn broken_files_are_refused() {
     let bytes = fs::read(path("part.exr")).unwrap();
     for length in [0, 3, 100, 500, bytes.len() / 2, bytes.len() - 1] {
         fs::write(path("short.exr"), &bytes[..length]).unwrap();
-        let said = assemble(&[path("short.exr")], &[path("whole.exr")]).unwrap_err().to_string();
+        let said = merge(&[path("short.exr")], &[path("whole.exr")]).unwrap_err().to_string();
         assert!(said.contains("short.exr: "), "{length}: {said}");
     }
     for name in ["short.exr", "nothing.exr"] {
         let _ = fs::remove_file(path(name));
-        let said = assemble(&[path(name)], &[path("whole.exr")]).unwrap_err().to_string();
+        let said = merge(&[path(name)], &[path("whole.exr")]).unwrap_err().to_string();
         assert!(said.contains("cannot read the file"), "{said}");
     }
     assert_eq!(fs::read(path("whole.exr")).unwrap(), b"an old whole");

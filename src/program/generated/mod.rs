@@ -8,8 +8,8 @@ use std::fmt::Write as _;
 use super::regions::Regions;
 use super::unit::Unit;
 use super::{Features, LoopBudget, Purpose};
+use crate::model::point_source;
 use crate::model::shape::SOLIDS;
-use crate::model::source;
 use crate::scene::{Precision, Scene};
 pub(super) use shapes::{lists, near, shapes};
 pub use shapes::{solid_code, solid_codes};
@@ -36,8 +36,9 @@ pub fn all_shots(scene: &Scene) -> usize {
 }
 
 /// Generates the offset of a position from the source of a force.
-pub(super) fn anchors(kinds: &[&source::SourceKind]) -> Unit {
-    let code = |kind: &source::SourceKind| source::ANCHORS.iter().position(|other| *other == kind).unwrap_or(0);
+pub(super) fn anchors(kinds: &[&point_source::SourceKind]) -> Unit {
+    let code =
+        |kind: &point_source::SourceKind| point_source::ANCHORS.iter().position(|other| *other == kind).unwrap_or(0);
     let calls: Vec<_> =
         kinds.iter().map(|kind| (format!("{}u", code(kind)), format!("offset_{}(d, along)", kind.name))).collect();
     let signature = "fn anchor_offset(kind: u32, d: Real3, along: Real3) -> Real3";

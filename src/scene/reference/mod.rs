@@ -11,16 +11,16 @@ pub use templates::{TEMPLATES, Template};
 use std::sync::LazyLock;
 
 use crate::document::KeyReference;
-use crate::model::{camera, falloff, filter, law, material, medium, method, shape, source};
+use crate::model::{absorption, camera, falloff, law, material, medium, method, point_source, shape};
 
 /// Every key by table; a test compares the list with the keys that the readers request.
 pub static REFERENCE: LazyLock<Vec<KeyReference>> = LazyLock::new(|| {
     let kinds = [
         law::KINDS.reference(),
-        source::reference(),
+        point_source::reference(),
         falloff::reference(),
         medium::KINDS.reference(),
-        filter::reference(),
+        absorption::reference(),
         camera::KINDS.reference(),
         method::reference(),
         material::KINDS.reference(),

@@ -10,7 +10,7 @@ use std::path::{Path, PathBuf};
 use bentray::assets::{GridUse, RawGridLayout, Spacetime, Stored};
 use bentray::glam::{DMat3, DVec3, DVec4};
 use bentray::gpu::Geometry;
-use bentray::output::{assemble, csv, picture, said, settings_of};
+use bentray::output::{csv, merge, picture, said, settings_of};
 use bentray::program::{Choice, Program, ProgramError};
 use bentray::scene::import::import;
 use bentray::scene::{
@@ -289,7 +289,7 @@ fn part(bytes: &[u8]) {
         let is_small = settings.is_some_and(|settings| settings.size.iter().all(|side| *side < 256));
         if is_small {
             let outputs = ["b.exr", "b.png"].map(|name| path.with_file_name(name));
-            shown(assemble(&[path.to_owned()], &outputs));
+            shown(merge(&[path.to_owned()], &outputs));
         }
     });
 }

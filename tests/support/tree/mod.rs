@@ -80,7 +80,7 @@ impl<'s> Tracer<'s> {
     }
 
     /// The picture, row by row from the top: what each pixel's centre sees.
-    pub fn picture(&self) -> Vec<DVec3> {
+    pub fn render(&self) -> Vec<DVec3> {
         let [width, height] = self.scene.image.size;
         assert_eq!(self.scene.image.samples, 1, "the tracer takes one sample");
         (0..width * height).map(|i| self.pixel(i % width, i / width)).collect()

@@ -4,7 +4,7 @@ use gltf_json::accessor::Type;
 use gltf_json::{Accessor, Index};
 
 use super::Raw;
-use crate::assets::flaw::FormatError;
+use crate::assets::format_error::FormatError;
 use crate::assets::gltf::Gltf;
 
 impl Gltf {

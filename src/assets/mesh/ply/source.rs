@@ -3,7 +3,7 @@
 use super::super::bytes::Bytes;
 use super::header::{Element, Property};
 use crate::assets::Stored;
-use crate::assets::flaw::{FormatError, are_padding};
+use crate::assets::format_error::{FormatError, are_padding};
 use crate::progress::Stage;
 
 /// An error at the current position of a source.

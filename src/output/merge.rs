@@ -18,7 +18,7 @@ const ROWS: usize = 64;
 const SAMPLE_BYTES: usize = 4;
 
 /// Merges the EXRs at `parts` into each of `outputs`: an EXR, or a PNG as a render of the whole image would have written it.
-pub fn assemble(parts: &[PathBuf], outputs: &[PathBuf]) -> Result<(), OutputError> {
+pub fn merge(parts: &[PathBuf], outputs: &[PathBuf]) -> Result<(), OutputError> {
     let mut parts = parts.iter().map(|path| Part::open(path)).collect::<Result<Vec<_>, _>>()?;
     let Some(first) = parts.first() else { return Ok(()) };
     parts.iter().try_for_each(|part| alike(first, part))?;

@@ -12,8 +12,8 @@ pub mod spheroid;
 
 use glam::DVec3;
 
+use super::dyn_eq::named;
 use super::falloff::Falloff;
-use super::same::named;
 use crate::document::reader::TableReader;
 use crate::document::{Key, KeyReference, kind_rows};
 

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use glam::DVec3;
 
-use crate::model::cut::{CutPlane, Outline, sphere_in_plane, star_in_plane};
+use crate::model::cross_section::{CutPlane, Outline, sphere_in_plane, star_in_plane};
 
 /// A closed surface of a law that is not an object.
 #[derive(Clone)]

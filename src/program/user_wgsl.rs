@@ -9,8 +9,8 @@ use std::collections::BTreeSet;
 use std::sync::LazyLock;
 
 use super::declarations::{Declaration, declarations};
+use super::location::Location;
 use super::parts::part_tokens;
-use super::place::Location;
 use super::tokens::{Origin, Tokens, whole_number};
 use super::unit::Unit;
 use super::{ProgramError, all_parts};

@@ -4,7 +4,7 @@
 //! = −ln c. The coefficient may vary over space by formulas or by a noise texture, and a medium may also emit light.
 //!
 //! *Practice.* A [`Filter`] belongs to an interior or to the whole space of the law. Each kind of density has a function in
-//! `shaders/filter/density.wgsl`.
+//! `shaders/absorption/density.wgsl`.
 
 mod read;
 mod texture;
@@ -60,7 +60,7 @@ impl Filter {
         Self { density, glow: DVec3::ZERO, tolerance: Self::TOLERANCE, center: DVec3::ZERO }
     }
 
-    /// Returns the kind: `density_KIND` in `shaders/filter/density.wgsl` computes the coefficient.
+    /// Returns the kind: `density_KIND` in `shaders/absorption/density.wgsl` computes the coefficient.
     #[must_use]
     pub fn kind(&self) -> &'static str {
         match &self.density {

@@ -57,7 +57,7 @@ impl Renderer<'_> {
         for i in 0..strips {
             let [first, next] = [i, i + 1].map(|i| i * height / strips);
             self.set_window(Some(Window { origin: [0, first], size: [width, next - first] }));
-            let totals = self.render(&mut |_| Ok(()))?;
+            let totals = self.render_bands(&mut |_| Ok(()))?;
             costs.push((totals.steps + RAY * totals.rays) / u64::from(next - first));
         }
         Ok(costs)
