@@ -116,4 +116,6 @@ pub fn blocks<'a>(text: &'a str, language: &str) -> Vec<&'a str> {
 mod with_code {
     #[doc = include_str!("../manual/pages/guide/extending.md")]
     mod extending {}
+    #[doc = include_str!("../manual/pages/recipes/rust_render.md")]
+    mod rust_render {}
 }
