@@ -1,4 +1,4 @@
-# `make render`: a picture from a fresh machine. `make gallery`: the figures of scenes/thesis, scenes/groller, scenes/paths and scenes/spacetimes, with a page. `make test`: every check. `make fuzz`: files that nobody thought of. `make release`: the program to give away.
+# `make render`: an image on a fresh machine. `make gallery`: the figures of scenes/thesis, scenes/groller, scenes/paths and scenes/spacetimes, with a page. `make manual`: the manual as a web site. `make test`: every check. `make fuzz`: a search for inputs that make a reader fail. `make release`: an archive of the program.
 
 SHELL := /bin/bash
 .SHELLFLAGS := -euo pipefail -c
@@ -45,13 +45,14 @@ test: device tools
 	run --lib; \
 	run --doc; \
 	run --test suite -- --test-threads $(TESTS_AT_ONCE) --include-ignored $$skip; \
-	for example in picture own_law rays_to_numbers; do cargo run -q --example $$example || status=1; done; \
+	for example in picture custom_law rays_to_numbers; do cargo run -q --example $$example || status=1; done; \
+	$(MAKE) --no-print-directory manual || status=1; \
 	awk '/^test result:/ { passed += $$4; failed += $$6; skipped += $$8 + $$12 } \
 	    END { printf "%d passed, %d failed, %d skipped\n", passed, failed, skipped }' target/test.log; \
 	exit $$status
 
-# Looks for files that their readers do not bear, so many seconds for each reader of tests/fuzz, or with RUNS so many inputs; what it
-# finds is in target/fuzz/found. READERS="obj ply" has it try those alone. It needs a C++ compiler.
+# Searches for files that make a reader fail, for SECONDS_EACH seconds per reader of tests/fuzz, or for RUNS inputs. Failing inputs are
+# saved in target/fuzz/found. READERS="obj ply" selects readers. It needs a C++ compiler.
 SECONDS_EACH ?= 60
 RUNS ?= -1
 READERS ?= $(notdir $(wildcard tests/fuzz/corpus/*))
@@ -64,8 +65,7 @@ fuzz: fuzz-program
 	        "target/fuzz/grown/$$reader" "tests/fuzz/corpus/$$reader" || status=1; \
 	done; exit $$status
 
-# How much of the source each reader's inputs come to, those of the corpus and what `make fuzz` made of them: of the lines of each file
-# that have an instruction of their own, how many.
+# Prints the fraction of each source file's lines that the inputs of the corpus and of `make fuzz` reach.
 fuzz-lines: fuzz-program
 	for reader in $(READERS); do \
 	    echo "== $$reader"; mkdir -p "target/fuzz/grown/$$reader"; \

@@ -166,7 +166,7 @@ fn section(chart: &SceneChart, images: Vec<(PathBuf, String)>) -> Section {
     let (header, rows) = fastest_table(chart);
     let intro = format!(
         "Times are medians over {} rays. Errors are those of {compared} rays relative to a 64-bit reference \
-         solution; {unresolved} more rays have an unresolved end. The smallest error of any method in 32 bits is \
+         solution; {unresolved} more rays have an unresolved end. The smallest error of any method is \
          {:.1e} rad.",
         chart.rays,
         chart.floor()

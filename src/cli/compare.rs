@@ -202,7 +202,7 @@ fn print(chart: &SceneChart) -> Result<(), Error> {
     let [compared, unresolved] = chart.compared;
     say!("\n{}: {} rays timed, {compared} compared, {unresolved} unresolved", chart.scene, chart.rays);
     let (header, rows) = fastest_table(chart);
-    say!("{}f32 floor (95 %): {:.1e} rad", text_table(&header, &rows), chart.floor());
+    say!("{}smallest error (95 %): {:.1e} rad", text_table(&header, &rows), chart.floor());
     Ok(())
 }
 

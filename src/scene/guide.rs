@@ -83,8 +83,8 @@ impl Scene {
     /// Returns the modules of `shaders/path/light_sampling` for the targets of path guiding.
     #[must_use]
     pub fn aims(&self) -> Vec<&'static str> {
-        let lamps = (!self.lamps().is_empty()).then_some("lamps");
-        let guide = (!self.beams().is_empty()).then_some("guide");
+        let lamps = (!self.lamps().is_empty()).then_some("emitters");
+        let guide = (!self.beams().is_empty()).then_some("guiding");
         let sky = self.aims_at_sky().then_some("sky");
         lamps.into_iter().chain(guide).chain(sky).collect()
     }

@@ -168,7 +168,7 @@ fn a_chart_is_tables_plots_and_a_page() {
     let ran = folder
         .run(&format!("compare scene.toml -o report --rays 1000 --compared 40 --repeats 1 --methods planar,rk4 {HOLE}"))
         .succeeds();
-    assert!(ran.out.contains("fastest") && ran.out.contains("f32 floor"), "{}", ran.out);
+    assert!(ran.out.contains("fastest") && ran.out.contains("smallest error"), "{}", ran.out);
     let csv = folder.text("report/scene.csv");
     assert!(
         csv.starts_with("method,setting,ns_per_ray,") && csv.contains("\n\"rk4\",") && csv.contains("\n\"planar\",")

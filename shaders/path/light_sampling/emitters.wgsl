@@ -26,7 +26,7 @@ fn brightness(lamp: Lamp, way: vec3f) -> f32 {
     return lamp.power / max(dot(way, way), lamp.radius * lamp.radius);
 }
 
-fn lamps_brightness(vertex: PathVertex) -> f32 {
+fn emitters_brightness(vertex: PathVertex) -> f32 {
     let x = vec3f(vertex.x);
     var sum = 0.0;
     for (var i = 0u; i < arrayLength(&lamps); i++) {
@@ -41,7 +41,7 @@ fn lamp_share(lamp: Lamp, way: vec3f, total: f32) -> f32 {
 }
 
 // One number chooses the emitter and, rescaled, the angle to its center.
-fn lamps_way(vertex: PathVertex, total: f32, u: vec2f) -> vec3f {
+fn emitters_way(vertex: PathVertex, total: f32, u: vec2f) -> vec3f {
     let x = vec3f(vertex.x);
     var chosen = 0u;
     var before = 0.0;
@@ -62,7 +62,7 @@ fn lamps_way(vertex: PathVertex, total: f32, u: vec2f) -> vec3f {
 }
 
 // Returns the density of an aimed ray's direction, per solid angle: summed over all emitters for which it may have been drawn.
-fn lamps_density(vertex: PathVertex, total: f32, d: vec3f) -> f32 {
+fn emitters_density(vertex: PathVertex, total: f32, d: vec3f) -> f32 {
     let x = vec3f(vertex.x);
     var sum = 0.0;
     for (var i = 0u; i < arrayLength(&lamps); i++) {

@@ -34,7 +34,7 @@ fn guide_at(light: GridLight, vertex: PathVertex) -> Guide {
     return Guide(axis, kappa, brightness, brightness * kappa / (2.0 * f32(PI) * (1.0 - exp(-2.0 * kappa))));
 }
 
-fn guide_brightness(vertex: PathVertex) -> f32 {
+fn guiding_brightness(vertex: PathVertex) -> f32 {
     var sum = 0.0;
     for (var i = 0u; i < GUIDES; i++) {
         guides[i] = guide_at(grid_lights[i], vertex);
@@ -44,7 +44,7 @@ fn guide_brightness(vertex: PathVertex) -> f32 {
 }
 
 // One number chooses the lobe and, rescaled, the angle to its axis.
-fn guide_way(vertex: PathVertex, total: f32, u: vec2f) -> vec3f {
+fn guiding_way(vertex: PathVertex, total: f32, u: vec2f) -> vec3f {
     var chosen = Guide(vertex.across, WIDEST, 0.0, 0.0);
     var at = 0.0;
     var sum = 0.0;
@@ -60,7 +60,7 @@ fn guide_way(vertex: PathVertex, total: f32, u: vec2f) -> vec3f {
     return way_about(chosen.axis, 1.0 - off, sqrt(off * (2.0 - off)), u.y);
 }
 
-fn guide_density(vertex: PathVertex, total: f32, d: vec3f) -> f32 {
+fn guiding_density(vertex: PathVertex, total: f32, d: vec3f) -> f32 {
     var sum = 0.0;
     for (var i = 0u; i < GUIDES; i++) {
         let guide = guides[i];

@@ -83,7 +83,10 @@ fn frame(table: &TableReader, law: Option<&dyn Law>) -> Observer {
                 "observer = \"static\" requires the law of a black hole or a spacetime",
                 "remove `observer`; under other laws, the static and the coordinate frame are the same",
             ),
-            _ => ("this observer requires the law of a black hole, or law.kind = \"metric\"", "remove `observer`"),
+            _ => (
+                "this observer requires the law of a black hole, or law.kind = \"metric\"",
+                "use observer = \"static\", or remove `observer`",
+            ),
         };
         table.fault(&["observer"], problem, help);
     }

@@ -17,7 +17,7 @@ use crate::output::OutputError;
 
 /// Both axes are logarithmic.
 const LOG_LOG: [bool; 2] = [true; 2];
-const FLOOR: &str = "f32 floor";
+const FLOOR: &str = "smallest error";
 const WRONG: &str = "wrong";
 /// The distance between a line and its name.
 const GAP: f64 = 10.0;

@@ -138,7 +138,7 @@ fn parts_that_do_not_belong_together_are_refused() {
             |i, settings, _| settings.metadata[0].1 = ["rk4", "euler"][i].to_owned(),
             "part1.exr: its `method` is `euler`, but that of ",
         ),
-        (|i, settings, _| settings.metadata.truncate(2 - i), "part1.exr: its `Software` is nothing, and that of "),
+        (|i, settings, _| settings.metadata.truncate(2 - i), "part1.exr: its `Software` is nothing, but that of "),
     ];
     for (change, message) in cases {
         let (folder, result) = assembled(&halves, change);

@@ -48,7 +48,7 @@ fn example(methods: usize) -> PrecisionPlot {
 fn a_precision_plot_names_its_parts() {
     let plot = example(12);
     let svg = svg("precision.svg", |path| plot_precision(path, &plot).unwrap());
-    for text in ["error of the direction", "time per ray", "f32 floor", "Pareto front", "1e-6", "Gauss"] {
+    for text in ["error of the direction", "time per ray", "smallest error", "Pareto front", "1e-6", "Gauss"] {
         assert_eq!(svg.contains(text), text != "Gauss", "{text}");
     }
     for (name, ..) in &METHODS[..12] {

@@ -59,7 +59,7 @@ fn every_reader_of_text_takes_marks_and_ends_of_lines_and_names_utf_16() {
                 let bytes: Vec<u8> = words.iter().flat_map(|word| bytes(*word)).collect();
                 let told = read(&bytes).expect_err("an error");
                 let said = format!("{name}:1:1: the file is encoded as UTF-16{end}, not as UTF-8");
-                assert!(told.contains(&said) && told.contains("help: save the file as UTF-8"), "{told}");
+                assert!(told.contains(&said) && told.contains("help: convert the file to UTF-8"), "{told}");
             }
         }
     }

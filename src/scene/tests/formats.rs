@@ -290,7 +290,7 @@ fn mistakes_in_bytes_have_their_places() {
     assert!(wrong("a.stl", b"nothing").contains("does not begin with `solid`, and has only 7 of the 84"));
     let mut broken = stl;
     broken[96..100].copy_from_slice(&f32::INFINITY.to_le_bytes());
-    assert!(wrong("a.stl", &broken).contains("at byte 96: a corner is [inf, "));
+    assert!(wrong("a.stl", &broken).contains("at byte 96: a corner is at [inf, "));
 }
 
 #[test]

@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 use kurbo::{
-    BezPath, Circle, CubicBez, Line, ParamCurve, ParamCurveArclen, ParamCurveDeriv, PathEl, PathSeg, Point, Shape, Vec2,
+    BezPath, Circle, CubicBez, Line, ParamCurve, ParamCurveArclen, ParamCurveDeriv, PathSeg, Point, Shape, Vec2,
 };
 
 use super::contents::{CrossSection, SurfaceKind};
@@ -95,7 +95,8 @@ fn thinned(segments: &[PathSeg]) -> BezPath {
         if !is_last && at.is_some_and(|at| at.distance(end) < NEAR) {
             continue;
         }
-        path.push(if at == Some(start) { segment.as_path_el() } else { PathEl::LineTo(end) });
+        // Where segments were left out, the path ends near the start of this one.
+        path.push(segment.as_path_el());
         at = Some(end);
     }
     path
