@@ -7,7 +7,19 @@ use glam::{DAffine3, DMat3, DVec3, EulerRot};
 pub struct Transform(pub DAffine3);
 
 impl Transform {
-    /// Creates the map: `scale` along the object's axes, then `rotate` (degrees, about x, then y, then z of the scene), then `translate`.
+    /// Creates the map that scales by `scale` along the axes of the object, then rotates by `rotate`, then moves by `translate`.
+    ///
+    /// The factors of `scale` must not be 0. `rotate` is in degrees, about x, then y, then z of the scene; `translate` is in scene units.
+    ///
+    /// # Examples
+    ///
+    /// ```
+    /// use bentray::glam::{DVec3, dvec3};
+    /// use bentray::scene::Transform;
+    ///
+    /// let turned = Transform::new(DVec3::ONE, dvec3(0.0, 0.0, 90.0), dvec3(5.0, 0.0, 0.0));
+    /// assert!(turned.0.transform_point3(DVec3::X).distance(dvec3(5.0, 1.0, 0.0)) < 1e-12);
+    /// ```
     #[must_use]
     pub fn new(scale: DVec3, rotate: DVec3, translate: DVec3) -> Self {
         let turn = rotate * (std::f64::consts::PI / 180.0);

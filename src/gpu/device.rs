@@ -119,7 +119,23 @@ impl Gpu {
         format!("{name} ({device_type:?}, {backend}), {driver} {driver_info}")
     }
 
-    /// Opens the best device, or the first one whose name contains `name` (in any case).
+    /// Opens the best device, or the first one whose name contains `name` (in any case). Discrete GPUs come first, then integrated GPUs,
+    /// virtual GPUs and CPUs.
+    ///
+    /// # Errors
+    ///
+    /// Returns [`GpuError::NoDevice`] if there is no device, [`GpuError::NoSuchDevice`] if none has this name, and [`GpuError::Refused`] if
+    /// the driver cannot open it.
+    ///
+    /// # Examples
+    ///
+    /// ```no_run
+    /// use bentray::gpu::Gpu;
+    ///
+    /// let gpu = Gpu::open(Some("llvmpipe"))?;
+    /// println!("{}", gpu.words());
+    /// # Ok::<(), bentray::gpu::GpuError>(())
+    /// ```
     pub fn open(name: Option<&str>) -> Result<Self, GpuError> {
         let all = found();
         let adapter = all.iter().find(|adapter| is_called(&adapter.get_info(), name)).ok_or_else(|| match name {

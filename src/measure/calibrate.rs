@@ -176,7 +176,29 @@ pub fn calibrate_for(
     }
 }
 
-/// Finds the method for `scene` among all methods, for the camera's rays or for `given` ones.
+/// Finds the method for `scene` among all methods, for the camera's rays or for `given` ones; returns `None` if the scene specifies a
+/// method.
+///
+/// [`Calibration::applied`] returns the scene with the method that was found. Without 64 bits on any device, it is the default method.
+///
+/// # Errors
+///
+/// Returns [`RenderError::NoCamera`] if neither the scene nor `given` defines rays, and another error if a program cannot be compiled or
+/// the device fails.
+///
+/// # Examples
+///
+/// ```no_run
+/// use bentray::{gpu::Gpu, measure::calibrate, render::RenderSettings, scene::Scene};
+///
+/// let (gpu, settings) = (Gpu::open(None)?, RenderSettings::default());
+/// let mut scene = Scene::load("scenes/black_hole.toml".as_ref(), &["rays.method=auto".parse()?])?;
+/// if let Some(found) = calibrate(&gpu, &scene, &settings, None)? {
+///     println!("{found}");
+///     scene = found.applied(&scene);
+/// }
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 pub fn calibrate(
     gpu: &Gpu,
     scene: &Scene,

@@ -21,7 +21,26 @@ const VERIFIED: u64 = 2;
 /// The loosest tolerance of a reference solution, which costs little compared with the image.
 const LOOSEST: f64 = 1e-10;
 
-/// Follows the rays of `count` random pixels (of their first sample) as the image does, and again in 64 bits.
+/// Measures the error of an image: follows the rays of `count` random pixels (of their first sample) as the image does, and again in 64
+/// bits.
+///
+/// The pixels are the same in every run; if the image has fewer, all are used. If `gpu` has no 64-bit floats, the first other device that
+/// supports them computes the reference solution.
+///
+/// # Errors
+///
+/// Returns [`GpuError::NoDouble`](crate::gpu::GpuError::NoDouble) if no device supports 64 bits, and the errors of [`trace_pixels`].
+///
+/// # Examples
+///
+/// ```no_run
+/// use bentray::{gpu::Gpu, measure::verify, render::RenderSettings, scene::Scene};
+///
+/// let scene = Scene::load("scenes/black_hole.toml".as_ref(), &["rays.method=rk4".parse()?])?;
+/// let found = verify(&Gpu::open(None)?, &scene, &RenderSettings::default(), 1000)?.found;
+/// println!("99 % of the directions are within {:.1e} rad", found.angle.p99);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 pub fn verify(gpu: &Gpu, scene: &Scene, settings: &RenderSettings, count: usize) -> Result<Verification, RenderError> {
     let _stage = gpu.progress.stage("verifying");
     let pixels = scattered(scene.image.size, count, VERIFIED);

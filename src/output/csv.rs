@@ -226,6 +226,24 @@ enum Sink {
 
 impl Table {
     /// Starts a table with the header of `R`; the path `-` is standard output. After its reader closes, rows are discarded.
+    ///
+    /// # Errors
+    ///
+    /// Returns an error if the file cannot be created ([`AtomicFile::create`]), or the header cannot be written.
+    ///
+    /// # Examples
+    ///
+    /// ```
+    /// use bentray::{output::csv::Table, render::PathPoint};
+    ///
+    /// let folder = tempfile::tempdir()?;
+    /// let path = folder.path().join("path.csv");
+    /// let mut table = Table::create::<(usize, usize, &PathPoint)>(&path)?;
+    /// table.write(&(0, 0, &PathPoint { x: [1.0, 0.0, 0.0], v: [0.0, 1.0, 0.0], tau: 0.5 }))?;
+    /// table.finish()?;
+    /// assert_eq!(std::fs::read_to_string(path)?, "ray,index,x,y,z,vx,vy,vz,tau\n0,0,1.0,0.0,0.0,0.0,1.0,0.0,0.5\n");
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn create<R: Row>(path: &Path) -> Result<Self, OutputError> {
         let sink = if path == Path::new("-") {
             Sink::Stdout(BufWriter::new(io::stdout()))
@@ -238,11 +256,19 @@ impl Table {
     }
 
     /// Appends a row, which must be of the type of the header.
+    ///
+    /// # Errors
+    ///
+    /// Returns [`OutputError::Write`] or [`OutputError::Stdout`] if writing fails.
     pub fn write<R: Row>(&mut self, row: &R) -> Result<(), OutputError> {
         self.line(&row.line())
     }
 
     /// Finishes the file, or flushes standard output.
+    ///
+    /// # Errors
+    ///
+    /// Returns [`OutputError::Write`] or [`OutputError::Stdout`] if writing fails; an existing file is then unchanged.
     pub fn finish(self) -> Result<(), OutputError> {
         match self.sink {
             Sink::File(file) => file.finish(),

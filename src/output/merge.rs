@@ -18,6 +18,11 @@ const ROWS: usize = 64;
 const SAMPLE_BYTES: usize = 4;
 
 /// Merges the EXRs at `parts` into each of `outputs`: an EXR, or a PNG as a render of the whole image would have written it.
+///
+/// # Errors
+///
+/// Returns [`OutputError::Part`] if a part is not from `render`, the parts have different settings, leave a gap or disagree on a pixel; and
+/// an error if a file cannot be read or written.
 pub fn merge(parts: &[PathBuf], outputs: &[PathBuf]) -> Result<(), OutputError> {
     let mut parts = parts.iter().map(|path| Part::open(path)).collect::<Result<Vec<_>, _>>()?;
     let Some(first) = parts.first() else { return Ok(()) };

@@ -119,11 +119,35 @@ pub trait ImageWriter: Send {
     /// Appends a band, which must begin at the row after the last one written.
     fn write_band(&mut self, band: &Band) -> Result<(), OutputError>;
 
-    /// Completes the file and moves it to its path; returns an error if rows are missing.
+    /// Completes the file and moves it to its path.
+    ///
+    /// # Errors
+    ///
+    /// Returns [`OutputError::Incomplete`] if rows are missing, and an error if the file cannot be written.
     fn finish(self: Box<Self>) -> Result<(), OutputError>;
 }
 
 /// Writes a whole rendering of `scene` to `path`, with its stored layers, as the `render` of a scene file would.
+///
+/// The extension selects the format: `.png` stores display colors, `.exr` linear colors and layers. The file is written completely or not
+/// at all.
+///
+/// # Errors
+///
+/// Returns [`OutputError::Format`] for another extension, [`OutputError::Setting`] for layers in a PNG, [`OutputError::Band`] if the
+/// rendering is not of the whole image, and an error if the file cannot be created or written.
+///
+/// # Examples
+///
+/// ```no_run
+/// use bentray::{gpu::Gpu, output::save, render::{Renderer, RenderSettings}, scene::Scene};
+///
+/// let scene = Scene::load("scenes/black_hole.toml".as_ref(), &[])?;
+/// let gpu = Gpu::open(None)?;
+/// let picture = Renderer::new(&gpu, &scene, RenderSettings::default())?.render()?;
+/// save("picture.exr".as_ref(), &scene, &picture)?;
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 pub fn save(path: &Path, scene: &Scene, rendering: &Rendering) -> Result<(), OutputError> {
     let settings = FileSettings {
         exposure: scene.output.exposure,
@@ -143,7 +167,31 @@ pub(crate) fn has_extension(path: &Path, name: &str) -> bool {
     path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case(name))
 }
 
-/// Starts an image at `path` in the format of its extension: `.png` or `.exr`.
+/// Starts an image at `path` in the format of its extension, `.png` or `.exr`, and returns its writer.
+///
+/// # Errors
+///
+/// Returns [`OutputError::Setting`] if the settings are invalid for the format, [`OutputError::Format`] for another extension, and an error
+/// if the file cannot be created ([`AtomicFile::create`]).
+///
+/// # Examples
+///
+/// ```
+/// use bentray::output::{FileSettings, open};
+/// use bentray::render::Band;
+///
+/// let folder = tempfile::tempdir()?;
+/// let path = folder.path().join("gray.png");
+/// let mut writer = open(&path, &FileSettings::new([3, 2]))?;
+/// for first_row in 0..2 {
+///     let color = [(); 3].map(|()| vec![0.5; 3]);
+///     writer.write_band(&Band { first_row, rows: 1, width: 3, color, alpha: None, layers: Vec::new() })?;
+/// }
+/// assert!(!path.exists());
+/// writer.finish()?;
+/// assert!(path.exists());
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 pub fn open(path: &Path, settings: &FileSettings) -> Result<Box<dyn ImageWriter>, OutputError> {
     let extension = path.extension().map(|e| e.to_string_lossy().to_ascii_lowercase());
     let setting = |problem| OutputError::Setting { path: path.to_owned(), problem };

@@ -46,8 +46,30 @@ fn distinct<'p>(paths: impl Iterator<Item = &'p LightPath>) -> Vec<LightPath> {
     found
 }
 
-/// Finds, for each pair of a position and a light, the paths between them under the scene's law. Around a single center, shooting finds all
-/// paths that make less than one revolution. Light leaves with the speed that the law prescribes, or with 1.
+/// Finds, for each pair of a position and a light, the paths between them under the law of the scene, in scene units.
+///
+/// Around a single center, shooting finds all paths that make less than one revolution. Light leaves with the speed that the law
+/// prescribes, or with 1. A pair without paths has an empty list.
+///
+/// # Errors
+///
+/// Returns [`RenderError::Program`] if WGSL of the scene is invalid or the scene has too many primitives, [`RenderError::Window`] if the
+/// window of the settings is not inside the image, and [`RenderError::Gpu`] if the device lacks a feature or memory, or fails.
+///
+/// # Examples
+///
+/// ```no_run
+/// use bentray::glam::{DVec3, dvec3};
+/// use bentray::{gpu::Gpu, model::law::RoundHole, render::{RenderSettings, light_paths}, scene::Scene};
+///
+/// let scene = Scene::new(RoundHole::new(1.0, DVec3::ZERO), 50.0);
+/// let pairs = [[dvec3(10.0, 0.0, 0.0), dvec3(-10.0, 8.0, 0.0)]];
+/// let (paths, _) = light_paths(&Gpu::open(None)?, &scene, &RenderSettings::default(), &pairs)?;
+/// for path in &paths[0] {
+///     println!("leaves the light along {:?}, clear: {}", path.leaves, path.clear);
+/// }
+/// # Ok::<(), bentray::render::RenderError>(())
+/// ```
 pub fn light_paths(
     gpu: &Gpu,
     scene: &Scene,
@@ -65,6 +87,10 @@ pub struct LightTracer<'a> {
 
 impl<'a> LightTracer<'a> {
     /// Creates a tracer: links and compiles the program, and uploads the scene.
+    ///
+    /// # Errors
+    ///
+    /// Returns the errors of [`light_paths`].
     pub fn new(gpu: &'a Gpu, scene: Scene, settings: &RenderSettings) -> Result<Self, RenderError> {
         let choice =
             Choice { purpose: Purpose::Lit, schedule: Schedule::Fused, masks: RaySkipping::Off, ..Choice::default() };
@@ -79,6 +105,10 @@ impl<'a> LightTracer<'a> {
     }
 
     /// Finds, for each pair of a position and a light, the paths between them, like [`light_paths`].
+    ///
+    /// # Errors
+    ///
+    /// Returns [`RenderError::Gpu`] if the device fails or has too little memory.
     pub fn paths_between(&mut self, pairs: &[[DVec3; 2]]) -> Result<(Vec<Vec<LightPath>>, Totals), RenderError> {
         let prepared = &mut self.prepared;
         let (each, started) = (all_shots(&prepared.scene), Instant::now());

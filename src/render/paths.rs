@@ -16,8 +16,29 @@ const PATH_RECORDS: usize = 1 << 22;
 /// The maximum number of arcs of one path, if the image's own path takes leaps: 2600 windings of a spiral.
 const ARCS: u32 = 1 << 16;
 
-/// Follows `rays` and returns the end of every segment. A leap, which passes any number of windings in one segment, is replaced by its
-/// arcs: up to 65,536 of them, in 64 bits if the device supports it, because each arc begins at the rounded end of the previous one.
+/// Follows `rays`, as [`trace`](super::trace()) does, and returns the status of each path and the ends of its segments, beginning with its
+/// start.
+///
+/// A leap, which passes any number of windings in one segment, is replaced by its arcs: up to 65,536 of them, in 64 bits if the device
+/// supports it, because each arc begins at the rounded end of the previous one.
+///
+/// # Errors
+///
+/// Returns the errors of [`trace`](super::trace()).
+///
+/// # Examples
+///
+/// ```no_run
+/// use bentray::glam::DVec3;
+/// use bentray::{gpu::Gpu, model::law::RoundHole, render::{RenderSettings, trace_paths}, scene::Scene};
+///
+/// let scene = Scene::new(RoundHole::new(1.0, DVec3::ZERO), 50.0);
+/// let rays = [[-40.0, 6.0, 0.0, 1.0, 0.0, 0.0]];
+/// for (status, points) in trace_paths(&Gpu::open(None)?, &scene, &RenderSettings::default(), &rays)? {
+///     println!("{} after {} segments", status.name(), points.len() - 1);
+/// }
+/// # Ok::<(), bentray::render::RenderError>(())
+/// ```
 pub fn trace_paths(
     gpu: &Gpu,
     scene: &Scene,
@@ -48,7 +69,26 @@ pub fn trace_paths(
 /// The termination status of a path, and the ends of its segments.
 type Path = (Status, Vec<PathPoint>);
 
-/// Returns the starts of the camera's rays through the centers of some pixels: positions and velocities.
+/// Returns the starts of the camera's rays through the centers of some pixels, as `[x, y, z, vx, vy, vz]` for [`trace`](super::trace()).
+///
+/// A pixel is its column and row, counted from 0 at the top left.
+///
+/// # Errors
+///
+/// Returns [`RenderError::NoCamera`] if the scene has no camera, [`RenderError::NoRay`] if the camera has no ray through a pixel, and the
+/// errors of [`trace`](super::trace()).
+///
+/// # Examples
+///
+/// ```no_run
+/// use bentray::{gpu::Gpu, render::{RenderSettings, pixel_starts, trace_paths}, scene::Scene};
+///
+/// let (gpu, settings) = (Gpu::open(None)?, RenderSettings::default());
+/// let scene = Scene::load("scenes/black_hole.toml".as_ref(), &[])?;
+/// let starts = pixel_starts(&gpu, &scene, &settings, &[[100, 80]])?;
+/// let paths = trace_paths(&gpu, &scene, &settings, &starts)?;
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 pub fn pixel_starts(
     gpu: &Gpu,
     scene: &Scene,

@@ -12,7 +12,29 @@ use crate::gpu::Tile;
 use crate::progress::Stage;
 
 impl Renderer<'_> {
-    /// Renders the image tile by tile; `rows` receives bands of complete rows from top to bottom.
+    /// Renders the image tile by tile, and passes bands of complete rows to `rows`, from top to bottom.
+    ///
+    /// The host stores one band at a time, so that images may be larger than its memory.
+    ///
+    /// # Errors
+    ///
+    /// Returns [`RenderError::Gpu`] if the device fails, or if `memory` of the settings is too small for any tile. Returns an error of
+    /// `rows` unchanged and stops; [`RenderError::Output`] wraps errors of other types.
+    ///
+    /// # Examples
+    ///
+    /// ```no_run
+    /// use bentray::output::{FileSettings, open};
+    /// use bentray::{gpu::Gpu, render::{RenderError, Renderer, RenderSettings}, scene::Scene};
+    ///
+    /// let scene = Scene::load("scenes/black_hole.toml".as_ref(), &["image.size=[16000, 9000]".parse()?])?;
+    /// let gpu = Gpu::open(None)?;
+    /// let mut writer = open("large.png".as_ref(), &FileSettings::new(scene.image.size))?;
+    /// let failed = |error| RenderError::Output(Box::new(error));
+    /// Renderer::new(&gpu, &scene, RenderSettings::default())?.render_bands(&mut |band| writer.write_band(&band).map_err(failed))?;
+    /// writer.finish()?;
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn render_bands(
         &mut self,
         rows: &mut dyn FnMut(Band) -> Result<(), RenderError>,
@@ -21,6 +43,10 @@ impl Renderer<'_> {
     }
 
     /// Renders the image like [`render_bands`](Self::render_bands), with earlier samples and a preview.
+    ///
+    /// # Errors
+    ///
+    /// Returns the errors of [`render_bands`](Self::render_bands) and of the preview.
     pub fn render_watched(
         &mut self,
         rows: &mut dyn FnMut(Band) -> Result<(), RenderError>,
@@ -147,7 +173,11 @@ impl Renderer<'_> {
         u64::from(round.until - round.begins()) * count(0) + corners
     }
 
-    /// Renders the whole image at once.
+    /// Renders the whole image into memory. [`Renderer::new`] has an example; [`render_bands`](Self::render_bands) needs less memory.
+    ///
+    /// # Errors
+    ///
+    /// Returns [`RenderError::Gpu`] if the device fails, or if `memory` of the settings is too small for any tile.
     pub fn render(&mut self) -> Result<Rendering, RenderError> {
         let mut all = Bands::default();
         let totals = self.render_bands(&mut all.sink())?;

@@ -20,11 +20,34 @@ pub struct Renderer<'a> {
 
 impl<'a> Renderer<'a> {
     /// Creates a renderer: creates the grids of lights that have one, links and compiles the program, and uploads the scene.
+    ///
+    /// # Errors
+    ///
+    /// Returns [`RenderError::NoCamera`] if the scene has no camera, [`RenderError::Window`] if the window of the settings is not inside
+    /// the image, [`RenderError::Program`] if WGSL of the scene is invalid or the scene has too many primitives, and [`RenderError::Gpu`]
+    /// if the device lacks a feature or memory. Photon grids can also fail with [`RenderError::LightGrid`] and [`RenderError::LightLost`].
+    ///
+    /// # Examples
+    ///
+    /// ```no_run
+    /// use bentray::{gpu::Gpu, render::{Renderer, RenderSettings}, scene::Scene};
+    ///
+    /// let scene = Scene::load("scenes/black_hole.toml".as_ref(), &[])?;
+    /// let gpu = Gpu::open(None)?;
+    /// let mut renderer = Renderer::new(&gpu, &scene, RenderSettings::default())?;
+    /// let picture = renderer.render()?;
+    /// assert_eq!(picture.band.width, scene.image.size[0]);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn new(gpu: &'a Gpu, scene: &'a Scene, settings: RenderSettings) -> Result<Self, RenderError> {
         Self::of(gpu, Cow::Borrowed(scene), settings)
     }
 
     /// Creates a renderer like [`new`](Self::new), which owns its scene.
+    ///
+    /// # Errors
+    ///
+    /// Returns the errors of [`new`](Self::new).
     pub fn keeping(gpu: &'a Gpu, scene: Scene, settings: RenderSettings) -> Result<Self, RenderError> {
         Self::of(gpu, Cow::Owned(scene), settings)
     }

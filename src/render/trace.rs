@@ -39,7 +39,29 @@ impl Starts<'_> {
     }
 }
 
-/// Follows `rays` (x and v) to their ends.
+/// Follows `rays` to their ends under the law of `scene`, and returns the ends in the same order with the totals. No camera is needed.
+///
+/// A ray is `[x, y, z, vx, vy, vz]`: a position in scene units, and a velocity dx/dτ that is not 0. The rays of a camera start with the
+/// speed 1. Numbers are rounded to 32 bits, unless the scene has the precision of 64 bits.
+///
+/// # Errors
+///
+/// Returns [`RenderError::Program`] if WGSL of the scene is invalid or the scene has too many primitives, [`RenderError::Window`] if the
+/// window of the settings is not inside the image, and [`RenderError::Gpu`] if the device lacks a feature or memory, or fails.
+///
+/// # Examples
+///
+/// ```no_run
+/// use bentray::glam::DVec3;
+/// use bentray::{gpu::Gpu, model::law::RoundHole, render::{RenderSettings, Status, trace}, scene::Scene};
+///
+/// let scene = Scene::new(RoundHole::new(1.0, DVec3::ZERO), 50.0);
+/// let rays = [[-40.0, 4.0, 0.0, 1.0, 0.0, 0.0], [-40.0, 8.0, 0.0, 1.0, 0.0, 0.0]];
+/// let (ends, _) = trace(&Gpu::open(None)?, &scene, &RenderSettings::default(), &rays)?;
+/// // The critical impact parameter is √27 M, about 5.2.
+/// assert_eq!([ends[0].status, ends[1].status], [Status::Captured, Status::Escaped]);
+/// # Ok::<(), bentray::render::RenderError>(())
+/// ```
 pub fn trace(
     gpu: &Gpu,
     scene: &Scene,
@@ -49,7 +71,26 @@ pub fn trace(
     Tracer::new(gpu, scene, settings.clone(), Purpose::Trace)?.follow(Starts::Given(rays))
 }
 
-/// Follows the camera's rays of some pixels to their ends.
+/// Follows the camera's rays of some pixels to their ends, and returns the ends in the same order with the totals.
+///
+/// A pixel is its column and row, counted from 0 at the top left. The ray is that of the first sample of the pixel. Its status is
+/// [`Status::Outside`] if the camera has no ray there.
+///
+/// # Errors
+///
+/// Returns [`RenderError::NoCamera`] if the scene has no camera, and the errors of [`trace`].
+///
+/// # Examples
+///
+/// ```no_run
+/// use bentray::{gpu::Gpu, render::{RenderSettings, trace_pixels}, scene::Scene};
+///
+/// let scene = Scene::load("scenes/black_hole.toml".as_ref(), &[])?;
+/// let center = scene.image.size.map(|side| side / 2);
+/// let (ends, totals) = trace_pixels(&Gpu::open(None)?, &scene, &RenderSettings::default(), &[center])?;
+/// println!("{}: object {:?} after {} steps", ends[0].status.name(), ends[0].object, totals.steps);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 pub fn trace_pixels(
     gpu: &Gpu,
     scene: &Scene,
@@ -66,7 +107,27 @@ pub struct Tracer<'a> {
 }
 
 impl<'a> Tracer<'a> {
-    /// Creates a tracer for this purpose: `Trace`, `Pixels` or `Bare`.
+    /// Creates a tracer for this purpose: [`Purpose::Trace`] for given rays, [`Purpose::Pixels`] for the camera's rays, or
+    /// [`Purpose::Bare`].
+    ///
+    /// # Errors
+    ///
+    /// Returns [`RenderError::NoCamera`] for the camera's rays of a scene without a camera, and the errors of [`trace`].
+    ///
+    /// # Examples
+    ///
+    /// ```no_run
+    /// use bentray::render::{RenderSettings, Starts, Tracer};
+    /// use bentray::{gpu::Gpu, model::law::Straight, program::Purpose, scene::Scene};
+    ///
+    /// let (gpu, scene) = (Gpu::open(None)?, Scene::new(Straight, 10.0));
+    /// let mut tracer = Tracer::new(&gpu, &scene, RenderSettings::default(), Purpose::Trace)?;
+    /// for y in [0.0, 1.0, 2.0] {
+    ///     let (ends, _) = tracer.follow(Starts::Given(&[[0.0, y, 0.0, 1.0, 0.0, 0.0]]))?;
+    ///     println!("{:?}", ends[0].x);
+    /// }
+    /// # Ok::<(), bentray::render::RenderError>(())
+    /// ```
     pub fn new(
         gpu: &'a Gpu,
         scene: &'a Scene,
@@ -84,7 +145,12 @@ impl<'a> Tracer<'a> {
         self.prepared.retune(control, max_segments)
     }
 
-    /// Follows rays to their ends; `starts` must match the purpose of the tracer.
+    /// Follows rays to their ends, and returns the ends in the same order with the totals. `starts` must match the purpose of the tracer:
+    /// [`Starts::purpose`].
+    ///
+    /// # Errors
+    ///
+    /// Returns [`RenderError::Gpu`] if the device fails or has too little memory, or if `starts` is of another purpose.
     pub fn follow(&mut self, starts: Starts) -> Result<(Vec<Traced>, Totals), RenderError> {
         let prepared = &mut self.prepared;
         let mut totals = Totals::default();

@@ -18,8 +18,27 @@ use crate::model::{Interior, Law, Material, Medium, Object, Pattern, Shape, Subs
 
 impl Scene {
     /// Creates a scene with a law, a black sky, and a bounding sphere of `radius` scene units around the origin, beyond which rays have
-    /// escaped. The method keeps a tolerance of 10⁻⁵ and uses closed forms where they exist. A render also needs a camera, such as
-    /// [`Camera::looking`](super::Camera::looking) creates; without one it returns an error.
+    /// escaped.
+    ///
+    /// The radius must be above 0. The image has 800×600 pixels. The method keeps a tolerance of 10⁻⁵ and uses closed forms where they
+    /// exist. A render also needs a camera, such as [`Camera::look_at`](super::Camera::look_at) creates; without one it returns an error.
+    ///
+    /// # Examples
+    ///
+    /// ```
+    /// use std::sync::Arc;
+    ///
+    /// use bentray::glam::{DVec3, dvec3};
+    /// use bentray::model::{camera::Pinhole, law::RoundHole, material::Phong, shape::Sphere};
+    /// use bentray::scene::{Camera, Pattern, Scene, Transform};
+    ///
+    /// let mut scene = Scene::new(RoundHole::new(1.0, DVec3::ZERO), 50.0);
+    /// scene.image.size = [320, 200];
+    /// scene.camera = Camera::look_at(dvec3(0.0, 2.0, 15.0), DVec3::ZERO, DVec3::Y, Arc::new(Pinhole { fov: 50.0 }));
+    /// let red = scene.add_material("red", Pattern::Constant(dvec3(0.8, 0.1, 0.1)), Phong::default());
+    /// scene.add_object(Sphere, Transform::new(DVec3::ONE, DVec3::ZERO, dvec3(3.0, 0.0, -4.0)), red);
+    /// assert_eq!(scene.objects[0].bounds(), (dvec3(2.0, -1.0, -5.0), dvec3(4.0, 1.0, -3.0)));
+    /// ```
     #[must_use]
     pub fn new(law: impl Law, radius: f64) -> Self {
         let (mut materials, mut objects) = (Vec::new(), Vec::new());
@@ -43,13 +62,17 @@ impl Scene {
         }
     }
 
-    /// Adds a material, and returns its index for [`Scene::add`].
+    /// Adds a material, and returns its index for [`Scene::add_object`].
+    ///
+    /// `name` appears only in messages. `color` is linear red, green and blue, each usually from 0 to 1; `surface` defines how the material
+    /// scatters light.
     pub fn add_material(&mut self, name: &str, color: Pattern, surface: impl Surface) -> usize {
         self.materials.push(Material { name: name.to_owned(), color, surface: Arc::new(surface) });
         self.materials.len() - 1
     }
 
-    /// Adds an opaque object: a shape with a placement and a material.
+    /// Adds an opaque object: a shape with a placement and a material, whose index [`Scene::add_material`] has returned. [`Scene::new`] has
+    /// an example.
     ///
     /// # Panics
     ///
@@ -65,6 +88,19 @@ impl Scene {
     /// # Panics
     ///
     /// Panics if the shape cannot have an interior: see [`Shape::refuses_interior`].
+    ///
+    /// # Examples
+    ///
+    /// ```
+    /// use bentray::glam::{DVec3, dvec3};
+    /// use bentray::model::{law::Straight, medium::Constant, shape::Sphere};
+    /// use bentray::scene::{Scene, Transform};
+    ///
+    /// let mut scene = Scene::new(Straight, 20.0);
+    /// let glass = Constant { n: 1.5 };
+    /// scene.add_interior(Sphere, Transform::new(DVec3::splat(2.0), DVec3::ZERO, dvec3(0.0, 1.0, 0.0)), glass, 0);
+    /// assert!(scene.objects[0].interior().is_some());
+    /// ```
     pub fn add_interior(&mut self, shape: impl Shape, transform: Transform, medium: impl Medium, priority: u32) {
         assert_eq!(shape.refuses_interior(), None, "light cannot go through this shape");
         let substance = Substance::Clear(Interior { priority, ..Interior::new(Arc::new(medium)) });

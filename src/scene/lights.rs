@@ -111,7 +111,8 @@ impl Shadows {
 }
 
 impl Light {
-    /// Creates a white light without shadows or fall-off.
+    /// Creates a white light without shadows or fall-off; its fields are public. Positions are in scene units, and directions are unit
+    /// vectors.
     #[must_use]
     pub fn new(source: LightSource) -> Self {
         let (shadows, grid) = (Shadows::None, LightGrid::default());

@@ -29,7 +29,7 @@ pub static KIND: Kind = Kind {
 /// The equidistant fisheye projection.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Fisheye {
-    /// The opening angle in degrees, above 0; more than 360 shows directions repeatedly.
+    /// The opening angle in degrees, in (0, 10⁶]; more than 360 shows directions repeatedly.
     pub fov: f64,
     /// The content outside the disk.
     pub corners: Corners,

@@ -124,7 +124,25 @@ pub enum StereoLayout {
 }
 
 impl Camera {
-    /// Returns a camera at a position that looks at a point, or `None` if the direction is zero or parallel to `up`.
+    /// Creates a camera at `position` that looks at the point `at`, both in scene units; returns `None` if the points coincide, or if their
+    /// direction is parallel to `up`.
+    ///
+    /// `up` may have any length above 0. The camera has one eye, time 0, coordinate directions and no redshift; its fields are public.
+    ///
+    /// # Examples
+    ///
+    /// ```
+    /// use std::sync::Arc;
+    ///
+    /// use bentray::glam::{DVec3, dvec3};
+    /// use bentray::model::camera::Pinhole;
+    /// use bentray::scene::Camera;
+    ///
+    /// let lens = Arc::new(Pinhole { fov: 50.0 });
+    /// let camera = Camera::look_at(dvec3(0.0, 0.0, 15.0), DVec3::ZERO, DVec3::Y, lens.clone());
+    /// assert_eq!(camera.map(|camera| (camera.forward, camera.right)), Some((DVec3::NEG_Z, DVec3::X)));
+    /// assert!(Camera::look_at(DVec3::Y, DVec3::ZERO, DVec3::Y, lens).is_none());
+    /// ```
     #[must_use]
     pub fn look_at(position: DVec3, at: DVec3, up: DVec3, projection: Arc<dyn Projection>) -> Option<Self> {
         let forward = (at - position).try_normalize()?;

@@ -31,7 +31,7 @@ fn sides(node: &Node) -> Read<[f64; 2]> {
 /// The equirectangular projection.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Panorama {
-    /// The opening angles in degrees: up to 360 horizontally, up to 180 vertically.
+    /// The opening angles in degrees, horizontal in (0, 360] and vertical in (0, 180].
     pub fov: [f64; 2],
 }
 

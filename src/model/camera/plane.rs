@@ -15,7 +15,7 @@ pub static KIND: Kind = Kind {
 /// The orthographic projection.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Plane {
-    /// The plane's height in scene units; its width follows from the aspect ratio of the image.
+    /// The plane's height in scene units, above 0; its width follows from the aspect ratio of the image.
     pub height: f64,
 }
 

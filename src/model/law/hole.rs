@@ -13,7 +13,7 @@ use crate::model::{Anchor, Binding, Capture, Value, Wgsl, row};
 /// A non-rotating black hole.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct RoundHole {
-    /// The mass M, in scene units (G = c = 1).
+    /// The mass M, in scene units (G = c = 1), above 0.
     pub mass: f64,
     /// The charge Q, in scene units; 0 except in [`HoleForm::Charged`].
     pub charge: f64,
@@ -39,7 +39,18 @@ pub enum HoleForm {
 }
 
 impl RoundHole {
-    /// Returns a Schwarzschild black hole with the path equation.
+    /// Creates a Schwarzschild black hole of the mass `mass`, above 0, at `center`, both in scene units (G = c = 1), with the path
+    /// equation.
+    ///
+    /// # Examples
+    ///
+    /// ```
+    /// use bentray::glam::DVec3;
+    /// use bentray::model::law::RoundHole;
+    ///
+    /// let hole = RoundHole::new(2.0, DVec3::ZERO);
+    /// assert_eq!((hole.horizon(), hole.photon_sphere()), (Some(4.0), Some(6.0)));
+    /// ```
     #[must_use]
     pub fn new(mass: f64, center: DVec3) -> Self {
         Self { mass, charge: 0.0, cosmological: 0.0, center, axis: DVec3::Z, form: HoleForm::Path }

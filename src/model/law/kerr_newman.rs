@@ -47,12 +47,22 @@ pub static KIND: Kind = Kind {
     },
 };
 
-/// A rotating charged black hole or, if spin and charge are too large, a naked ring singularity.
+/// A rotating charged black hole or, if a² + Q² exceeds M², a naked ring singularity.
+///
+/// # Examples
+///
+/// ```
+/// use bentray::glam::DVec3;
+/// use bentray::model::law::KerrNewman;
+///
+/// let hole = KerrNewman { mass: 1.0, spin: 0.6, axis: DVec3::Z, charge: 0.0, center: DVec3::ZERO };
+/// assert!((hole.horizon().unwrap_or_default() - 1.8).abs() < 1e-12);
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct KerrNewman {
-    /// The mass M, in scene units (G = c = 1).
+    /// The mass M, in scene units (G = c = 1), above 0.
     pub mass: f64,
-    /// The spin a, in scene units.
+    /// The spin a, in scene units, at least 0.
     pub spin: f64,
     /// The unit vector of the spin axis; the rotation is counterclockwise seen from its tip.
     pub axis: DVec3,

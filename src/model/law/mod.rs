@@ -235,6 +235,8 @@ impl<'a> Facts<'a> {
 }
 
 /// A law, which defines how light propagates.
+///
+/// A custom law implements [`parts`](Self::parts) and [`values`](Self::values) with WGSL as text, as `examples/own_law.rs` does.
 pub trait Law: fmt::Debug + Send + Sync + DynEq {
     /// Returns the WGSL modules that implement the contract.
     fn parts(&self) -> Vec<Wgsl>;

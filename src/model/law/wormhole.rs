@@ -45,11 +45,11 @@ pub static KIND: Kind = Kind {
 /// A throat that connects two regions.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Wormhole {
-    /// The radius ρ₀ of the throat, in scene units.
+    /// The radius ρ₀ of the throat, in scene units, above 0.
     pub radius: f64,
-    /// The length 2a over which the throat is a cylinder.
+    /// The length 2a over which the throat is a cylinder, in scene units, at least 0; 0 without `mass`.
     pub length: f64,
-    /// The mass M, which determines the opening of the mouth; `None` for an Ellis wormhole.
+    /// The mass M, in scene units, above 0, which determines the opening of the mouth; `None` for an Ellis wormhole.
     pub mass: Option<f64>,
     /// The position of the mouth on this side.
     pub center: DVec3,

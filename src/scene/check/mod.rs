@@ -34,8 +34,25 @@ use std::path::Path;
 use std::sync::Arc;
 
 impl Scene {
-    /// Reads and checks a scene file with all referenced files; `overrides` replace values of the file. The path `-` is standard input,
-    /// whose files are relative to the working directory.
+    /// Reads and checks the scene file at `path`, with all files that it references.
+    ///
+    /// Files are relative to the folder of the scene file. The path `-` is standard input, whose files are relative to the working
+    /// directory. Each override sets or removes one key, like `--set` on the command line.
+    ///
+    /// # Errors
+    ///
+    /// Returns [`SceneError::Read`] if the scene file cannot be read, and [`SceneError::Diagnostics`] with all errors of the scene and of
+    /// its other files, each with line, column and remedy. A TOML syntax error is reported alone.
+    ///
+    /// # Examples
+    ///
+    /// ```
+    /// use bentray::scene::{Scene, SceneError};
+    ///
+    /// let scene = Scene::load("scenes/laws/vortex.toml".as_ref(), &["image.size=[64, 36]".parse()?])?;
+    /// assert_eq!(scene.image.size, [64, 36]);
+    /// # Ok::<(), SceneError>(())
+    /// ```
     pub fn load(path: &Path, overrides: &[Override]) -> Result<Self, SceneError> {
         Self::load_with(&mut Files::default(), path, overrides, None)
     }
@@ -67,7 +84,22 @@ impl Scene {
         Ok(lines)
     }
 
-    /// Parses a scene like [`Scene::load`] from text; `path` is its name, and files are relative to its folder.
+    /// Parses and checks a scene file like [`load`](Self::load), from its text. `path` names the text in errors, and files are relative to
+    /// the folder of `path`.
+    ///
+    /// # Errors
+    ///
+    /// Returns [`SceneError::Diagnostics`] with all errors of the text and of its files.
+    ///
+    /// # Examples
+    ///
+    /// ```
+    /// use bentray::scene::{Scene, SceneError};
+    ///
+    /// let text = "[law]\nkind = \"schwarzschild\"\nmas = 2\n[rays]\nbounding_sphere = { radius = 50 }\n";
+    /// let Err(SceneError::Diagnostics(errors)) = Scene::parse(text, "scene.toml".as_ref(), &[]) else { panic!() };
+    /// assert_eq!((errors[0].line, errors[0].column), (3, 1));
+    /// ```
     pub fn parse(text: &str, path: &Path, overrides: &[Override]) -> Result<Self, SceneError> {
         Self::of(&Document::parse(text, path, overrides)?, path, &mut Files::default())
     }
