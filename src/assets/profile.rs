@@ -50,6 +50,10 @@ const ENOUGH: usize = 10;
 
 impl Profile {
     /// Computes the spline through points `[height, n]`, with positive n.
+    ///
+    /// # Errors
+    ///
+    /// Returns the first flaw: fewer than two points, heights that do not ascend or are too close, or a curve that falls to 0 or below.
     pub fn through(points: &[[f64; 2]]) -> Result<Self, ProfileError> {
         if points.len() < 2 {
             let problem = format!("a profile requires at least two points, found {}", points.len());
@@ -110,11 +114,20 @@ impl Profile {
     }
 
     /// Reads a CSV file.
+    ///
+    /// # Errors
+    ///
+    /// Returns [`SceneError::Read`] if the file cannot be read, and otherwise the errors of [`parse`](Self::parse).
     pub fn load(path: &Path) -> Result<Self, SceneError> {
         Self::parse(&read_text(path)?, path)
     }
 
     /// Reads the text of a CSV file; `path` names it in errors.
+    ///
+    /// # Errors
+    ///
+    /// Returns [`SceneError::Diagnostics`] if the header or a row is invalid, or the points do not define a profile (see
+    /// [`through`](Self::through)).
     pub fn parse(text: &str, path: &Path) -> Result<Self, SceneError> {
         let mistake =
             |part: &str, problem: String, help: &str| Diagnostic::of(path, text, part, problem, help.to_owned());

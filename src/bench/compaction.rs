@@ -11,6 +11,10 @@ const SCHEDULES: [(Schedule, u32); 4] =
     [(Schedule::Segment, 1), (Schedule::Fused, 4), (Schedule::Fused, 16), (Schedule::Fused, 1024)];
 
 /// Measures each scene, by name, without masks, with masks, and with masks and compaction.
+///
+/// # Errors
+///
+/// Returns an error if the device fails or cannot run a program of this measurement.
 pub fn compaction(bench: &Bench, scenes: &[(String, Scene)]) -> Result<Report, RenderError> {
     let header = "scene | schedule | K | all rays (s) | early termination (s) | compaction (s) | spread (early \
                   termination) | spread (compaction) | speedup by compaction";

@@ -34,6 +34,10 @@ const LAWS: [(&str, &str, u32); 2] = [
 ];
 
 /// Measures times by law, number of triangles and structure, for this mesh.
+///
+/// # Errors
+///
+/// Returns [`RenderError::NoTimes`] if the device cannot time passes, or another error if it fails.
 pub fn groller(bench: &Bench, mesh: &Mesh) -> Result<Report, RenderError> {
     let header = "law | triangles | structure | intersect (s) | spread | ns per segment | build (s)";
     let mut times = Table::new("times", "Intersection only", header);

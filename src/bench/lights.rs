@@ -42,6 +42,10 @@ const FAINT: f64 = 0.01;
 const LIT: f32 = 0.05;
 
 /// Measures directions by voxel size, and time against error.
+///
+/// # Errors
+///
+/// Returns an error if the device fails or cannot run a program of this measurement.
 pub fn lights(bench: &Bench) -> Result<Report, RenderError> {
     let header = "law | voxels | mean angle (rad) | relative to the last | weighted by light (rad) | points | build \
                   (s) | MiB | paths";

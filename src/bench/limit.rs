@@ -14,6 +14,10 @@ use crate::scene::Scene;
 const MOST_STEPS: u32 = 20_000;
 
 /// Measures the device's ceilings, and for each scene, by name, the share of bare steps in its advance passes.
+///
+/// # Errors
+///
+/// Returns an error if the device fails or cannot run a program of this measurement.
 pub fn limit(bench: &Bench, scenes: &[(String, Scene)]) -> Result<Report, RenderError> {
     let header = "scene | method | K | rays | steps per ray | evaluations per ray | bare (ns per step) | fused (ns \
                   per step) | whole (ns per step) | faster relative to bare | spread (bare) | spread (fused) | \

@@ -61,6 +61,10 @@ pub(super) enum How {
 }
 
 /// Measures Table 1, Figure 5 and the shadow.
+///
+/// # Errors
+///
+/// Returns an error if the device fails or cannot run a program of this measurement.
 pub fn paper(bench: &Bench) -> Result<Report, RenderError> {
     let figure = figure(bench)?;
     let spheres = |row: usize| figure.rows.iter().map(move |cells| [number(&cells[0]), number(&cells[row])]).collect();

@@ -29,6 +29,10 @@ const WAYS: [(&str, bool, bool); 3] = [
 ];
 
 /// Measures the time for an equal error by the light's size.
+///
+/// # Errors
+///
+/// Returns an error if the device fails or cannot run a program of this measurement.
 pub fn paths(bench: &Bench) -> Result<Report, RenderError> {
     let header = "emitter radius | sampling | time (s) | spread | error | time × error² | relative to scattered rays \
                   | ns per segment";

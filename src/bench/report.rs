@@ -158,6 +158,10 @@ impl Report {
     }
 
     /// Writes every table as CSV and every plot as SVG and PNG into `folder`, and returns the page's section.
+    ///
+    /// # Errors
+    ///
+    /// Returns an error if a file cannot be written.
     pub fn write(&self, folder: &Path) -> Result<Section, OutputError> {
         let mut images = Vec::new();
         for table in &self.tables {

@@ -54,6 +54,10 @@ struct Measured {
 }
 
 /// Measures every scene, by name, with each sampling.
+///
+/// # Errors
+///
+/// Returns an error if the device fails or cannot run a program of this measurement.
 pub fn sampling(bench: &Bench, scenes: &[(String, Scene)]) -> Result<Report, RenderError> {
     let header = "scene | method | sampling | tolerance | samples per pixel | RMSE | relative to uniform 16 | at the \
                   cap (%) | device (s) | spread";

@@ -22,6 +22,10 @@ const GROWN: [(&str, Grow); 5] =
     [("pixels", pixels), ("steps", steps), ("spheres", spheres), ("lights", lights), ("samples", samples)];
 
 /// Measures times and exponents.
+///
+/// # Errors
+///
+/// Returns an error if the device fails or cannot run a program of this measurement.
 pub fn scaling(bench: &Bench) -> Result<Report, RenderError> {
     let header = "quantity | factor | advance (s) | all (s) | spread";
     let mut times = Table::new("times", "Time of the advance passes and of all passes", header);

@@ -11,6 +11,10 @@ use crate::scene::{Accelerate, Scene};
 const SEGMENTS: [u32; 5] = [1, 4, 16, 64, 1024];
 
 /// Measures the case of W04 with every schedule and K, without masks and with them: those of W04 for `paper`, otherwise compaction.
+///
+/// # Errors
+///
+/// Returns an error if the device fails or cannot run a program of this measurement.
 pub fn schedules(bench: &Bench) -> Result<Report, RenderError> {
     let mut scene = scene(bench.size, GEODESIC, 10, 30, How::Plain)?;
     // Uses lists of objects, of which segments test only the near ones.

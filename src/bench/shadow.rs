@@ -9,6 +9,10 @@ pub const CRITICAL: f64 = 5.196_152_422_706_632;
 
 /// Returns the largest impact parameter b = L/E, for M = 1, with which a ray from r = 50 is captured under the given `[rays]` keys, or
 /// `None` if no tried ray is captured.
+///
+/// # Errors
+///
+/// Returns [`RenderError::Output`] if `rays` is not valid, or another error if the device fails.
 pub fn shadow_edge(gpu: &Gpu, rays: &str) -> Result<Option<f64>, RenderError> {
     let text = format!(
         "[law]\nkind = \"schwarzschild\"\nform = \"geodesic\"\n[rays]\n{rays}\nmax_segments = 20000\nbounding_sphere = {{ radius = 50 }}\n"

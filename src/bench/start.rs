@@ -28,6 +28,10 @@ const CACHES: [&str; 5] = [
 ];
 
 /// Measures starts of `program`, which is this program, for each of the scenes.
+///
+/// # Errors
+///
+/// Returns [`RenderError::Output`] if `program` cannot be run or fails, or if a scene is invalid, and another error if the device fails.
 pub fn start(bench: &Bench, program: &Path, scenes: &[PathBuf]) -> Result<Report, RenderError> {
     let parts = StartUp::PARTS.join(" | ");
     let header = format!("scene | cache | launch to first pixel (s) | spread | {parts} | second image (s)");

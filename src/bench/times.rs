@@ -15,13 +15,16 @@ pub struct Times {
 
 impl Times {
     /// Measures `repeats` runs, after one that compiles.
-    pub fn of(repeats: usize, mut run: impl FnMut() -> Result<Duration, RenderError>) -> Result<Self, RenderError> {
+    pub(crate) fn of(
+        repeats: usize,
+        mut run: impl FnMut() -> Result<Duration, RenderError>,
+    ) -> Result<Self, RenderError> {
         let [times] = Self::by_turns(repeats, [&mut run])?;
         Ok(times)
     }
 
     /// Measures several runs in turns, each once in every repeat, so that disturbances affect all of them.
-    pub fn by_turns<const N: usize>(
+    pub(crate) fn by_turns<const N: usize>(
         repeats: usize,
         mut runs: [&mut dyn FnMut() -> Result<Duration, RenderError>; N],
     ) -> Result<[Self; N], RenderError> {
@@ -30,7 +33,7 @@ impl Times {
     }
 
     /// Measures any number of runs in turns.
-    pub fn all_by_turns(
+    pub(crate) fn all_by_turns(
         repeats: usize,
         runs: &mut [impl FnMut() -> Result<Duration, RenderError>],
     ) -> Result<Vec<Self>, RenderError> {

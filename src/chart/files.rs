@@ -54,6 +54,10 @@ type Cost = fn(&Point) -> f64;
 
 /// Writes `SCENE.csv`, and `SCENE_time`, `SCENE_evaluations` and the drift of each constant of motion as SVG and PNG into `folder`, and
 /// returns the page's section on them.
+///
+/// # Errors
+///
+/// Returns an error if a file cannot be written.
 pub fn write_chart(folder: &Path, chart: &SceneChart) -> Result<Section, OutputError> {
     let file = |end: &str| folder.join(format!("{}{end}", chart.scene));
     let mut table = Table::create::<Line>(&file(".csv"))?;

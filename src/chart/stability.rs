@@ -65,6 +65,10 @@ pub struct StabilityCase<'a> {
 
 impl<'a> StabilityCase<'a> {
     /// Computes the reference solutions of the rays.
+    ///
+    /// # Errors
+    ///
+    /// Returns an error if no device supports 64 bits, or the device fails.
     pub fn new(gpu: &'a Gpu, name: &str, scene: &Scene, rays: &[[f64; 6]]) -> Result<Self, RenderError> {
         let mut scene = scene.clone();
         scene.rays.max_segments = SEGMENTS;
@@ -74,6 +78,10 @@ impl<'a> StabilityCase<'a> {
     }
 
     /// Returns the outcomes of the rays with every method that the law allows, or with the given ones.
+    ///
+    /// # Errors
+    ///
+    /// Returns an error if the device fails or cannot run a program.
     pub fn outcomes(&self, only: Option<&[&str]>) -> Result<Vec<Outcome>, RenderError> {
         let methods = all_methods(&self.scene);
         let wanted = methods.iter().filter(|method| only.is_none_or(|only| only.contains(&method.name)));
@@ -81,6 +89,10 @@ impl<'a> StabilityCase<'a> {
     }
 
     /// Returns the outcome of one method at three settings.
+    ///
+    /// # Errors
+    ///
+    /// Returns an error if the device fails or cannot run the program.
     pub fn outcome(&self, candidate: &Candidate, settings: [Control; 3]) -> Result<Outcome, RenderError> {
         let scene = candidate.applied(&self.scene, settings[0]);
         let few = RenderSettings { segments: 256, ..RenderSettings::default() };
@@ -135,6 +147,10 @@ impl<'a> StabilityCase<'a> {
     }
 
     /// Returns the τ up to which every ray is right, in tenths of `rays.max_parameter`, or `None` without this key.
+    ///
+    /// # Errors
+    ///
+    /// Returns an error if no device supports 64 bits, or the device fails.
     pub fn divergence(&self, candidate: &Candidate) -> Result<Option<f64>, RenderError> {
         let Some(length) = self.scene.rays.max_parameter else { return Ok(None) };
         let mut right = 0.0;

@@ -88,6 +88,10 @@ struct Measured {
 
 impl Sweep<'_> {
     /// Measures every requested method of `scene`.
+    ///
+    /// # Errors
+    ///
+    /// Returns an error if no device supports 64 bits, or the device fails or cannot run a program.
     pub fn scene(
         &self,
         name: &str,

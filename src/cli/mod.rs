@@ -103,6 +103,11 @@ enum Command {
 }
 
 /// Runs the command given by the arguments of the process.
+///
+/// # Errors
+///
+/// Returns the error of the command, which the caller prints; [`Error::Closed`] if the reader of standard output closed it. Usage errors
+/// are printed here.
 pub fn run() -> Result<ExitCode, Error> {
     let command = match Cli::try_parse() {
         Ok(cli) => cli.command,

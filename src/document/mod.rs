@@ -1,7 +1,7 @@
 //! The TOML document as written: a tree in which every key and value has its source location.
 //!
 //! *Theory.* An error is useful only with its location, and one run should find all errors. The text therefore first
-//! becomes a tree ([`Document`]). The scene is then read from the tree: [`values`] convert one node to a value or a
+//! becomes a tree ([`Document`]). The scene is then read from the tree: `values` convert one node to a value or a
 //! [`SpannedError`], and [`reader`] walks tables, collects the faults and reports the keys that nothing has read.
 //!
 //! *Practice.* A document has one source for the file and one for each `--set`. A [`Span`] names its source, so an
@@ -15,7 +15,7 @@ mod overrides;
 pub mod reader;
 pub(crate) mod synonyms;
 mod text;
-pub mod values;
+pub(crate) mod values;
 
 pub(crate) use error::brief;
 pub use error::{Diagnostic, SceneError};
@@ -23,7 +23,9 @@ pub use keys::{Key, KeyReference};
 pub(crate) use keys::{key_rows, keys};
 pub use kinds::{Kind, Kinds, kind_rows};
 pub use overrides::{Override, names};
-pub use text::{given_name, lenient_text, read_bytes, read_given, read_given_text, read_text, strict_text, unmarked};
+pub(crate) use text::{
+    given_name, lenient_text, read_bytes, read_given, read_given_text, read_text, strict_text, unmarked,
+};
 
 use std::borrow::Cow;
 use std::ops::Range;
@@ -98,7 +100,7 @@ pub type Table = Vec<(String, Span, Node)>;
 
 impl Document {
     /// Parses `text`, read from `path`, and applies the overrides. After a syntax error no other error is reported.
-    pub fn parse(text: &str, path: &Path, overrides: &[Override]) -> Result<Self, SceneError> {
+    pub(crate) fn parse(text: &str, path: &Path, overrides: &[Override]) -> Result<Self, SceneError> {
         let mut document = Self {
             sources: vec![Source { name: path.to_owned(), text: text.to_owned() }],
             root: Vec::new(),

@@ -32,7 +32,7 @@ impl SceneBuffers {
     /// Uploads the values of `scene` that `program` binds, with the `fields` of its lights' grids. `segments` is K, the number of segments
     /// of one fused pass. Textures that `before` has already uploaded are reused, and so are buffers with equal contents in `stored`, if
     /// given.
-    pub fn new(
+    pub(crate) fn new(
         gpu: &Gpu,
         scene: &Scene,
         geometry: &Geometry,

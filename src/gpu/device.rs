@@ -173,7 +173,7 @@ impl Gpu {
     }
 
     /// Returns an error if `needed` is more than the device allows.
-    pub fn check(&self, limit: &'static str, what: &str, allowed: u64, needed: u64) -> Result<(), GpuError> {
+    pub(crate) fn check(&self, limit: &'static str, what: &str, allowed: u64, needed: u64) -> Result<(), GpuError> {
         if needed <= allowed {
             return Ok(());
         }

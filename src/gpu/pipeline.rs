@@ -23,6 +23,11 @@ pub struct Pipelines {
 
 impl Pipelines {
     /// Compiles the program for the device and for images of `width` pixels; rejects programs that exceed the limits of the device.
+    ///
+    /// # Errors
+    ///
+    /// Returns [`GpuError::NoDouble`] if a pass computes in 64 bits and the device does not, [`GpuError::Limit`] if a pass exceeds a limit
+    /// of the device, and [`GpuError::Pass`] if the driver rejects a pass.
     pub fn new(gpu: &Gpu, program: &Program, width: u32) -> Result<Self, GpuError> {
         let group = narrowed(gpu.group, width);
         let stage = gpu.progress.counted("compiling pass", program.passes.len());
@@ -48,6 +53,10 @@ impl Pipelines {
 
 impl Pipeline {
     /// Compiles one linked program with workgroups of `across` pixels, unless it is cached.
+    ///
+    /// # Errors
+    ///
+    /// Returns the errors of [`Pipelines::new`].
     pub fn new(gpu: &Gpu, linked: &LinkedProgram, reflection: &Reflection, across: u32) -> Result<Self, GpuError> {
         if let Some(compiled) = gpu.compiled.find(&linked.source, across) {
             return Ok(compiled);

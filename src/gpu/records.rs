@@ -26,6 +26,11 @@ fn scalars(value: Value, width: u32) -> (ScalarKind, Vec<u8>) {
 }
 
 /// Returns the bytes of `rows`, each one element of `layout` as (member, value) in any order; every member must be given.
+///
+/// # Errors
+///
+/// Returns [`GpuError::Layout`] if a row has a member of another type than the layout, lacks a member, or has a member that the layout
+/// lacks.
 pub fn pack<N: AsRef<str>, R: AsRef<[(N, Value)]>>(
     binding: &str,
     layout: &Layout,

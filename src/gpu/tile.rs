@@ -133,7 +133,7 @@ enum Bound<'t> {
 
 impl Tile {
     /// Allocates a tile of `size` pixels for `program`.
-    pub fn new(gpu: &Gpu, program: &Program, size: [u32; 2], sections: &Sections) -> Result<Self, GpuError> {
+    pub(crate) fn new(gpu: &Gpu, program: &Program, size: [u32; 2], sections: &Sections) -> Result<Self, GpuError> {
         let side = u64::from(size[0].max(size[1]));
         let allowed = u64::from(gpu.limits.max_texture_dimension_2d);
         gpu.check("max_texture_dimension_2d", "pixels along one side of a tile", allowed, side)?;
@@ -172,14 +172,14 @@ impl Tile {
     }
 
     /// Adds a buffer of zeros.
-    pub fn add_storage(&mut self, gpu: &Gpu, role: &Role, bytes: u64) -> Result<(), GpuError> {
+    pub(crate) fn add_storage(&mut self, gpu: &Gpu, role: &Role, bytes: u64) -> Result<(), GpuError> {
         let storage = buffer(gpu, &role.to_string(), bytes, BufferUsages::STORAGE)?;
         self.buffers.insert(role.clone(), storage);
         Ok(())
     }
 
     /// Adds a buffer that contains `bytes`.
-    pub fn add_input(&mut self, gpu: &Gpu, role: &Role, bytes: &[u8]) -> Result<(), GpuError> {
+    pub(crate) fn add_input(&mut self, gpu: &Gpu, role: &Role, bytes: &[u8]) -> Result<(), GpuError> {
         self.add_storage(gpu, role, bytes.len() as u64)?;
         self.write(gpu, role, 0, bytes);
         Ok(())
@@ -211,7 +211,7 @@ impl Tile {
     }
 
     /// Creates the bind group of a pass for these slots and lists.
-    pub fn bind_group(
+    pub(crate) fn bind_group(
         &self,
         gpu: &Gpu,
         pipeline: &Pipeline,

@@ -114,6 +114,10 @@ pub struct Preparation<'a, 's> {
 
 impl<'a, 's> Preparation<'a, 's> {
     /// Compiles the program of an image of `scene` with its usual method; returns `None` if the scene specifies a method.
+    ///
+    /// # Errors
+    ///
+    /// Returns an error if the program cannot be compiled, or the device fails.
     pub fn new(gpu: &'a Gpu, scene: &'s Scene, settings: &'s RenderSettings) -> Result<Option<Self>, RenderError> {
         let Some(accuracy) = scene.accuracy() else { return Ok(None) };
         let wants_double = scene.rays.auto.is_some_and(|auto| auto.precision);
@@ -127,6 +131,10 @@ impl<'a, 's> Preparation<'a, 's> {
 
     /// Finds the method for an image with this number of rays: a setting of the compiled method or, if the image is expensive or no setting
     /// is accurate, the best of all. Also returns a renderer of the compiled program for a scene with this method.
+    ///
+    /// # Errors
+    ///
+    /// Returns an error if the device fails or cannot run a program.
     pub fn choose(self, rays: u64) -> Result<(Option<Calibration>, Option<Renderer<'a>>), RenderError> {
         let Self { gpu, scene, settings, accuracy, trying } = self;
         let stage = gpu.progress.stage(SEARCH);
@@ -164,6 +172,10 @@ fn trusted(scene: &Scene, settings: &RenderSettings, accuracy: f64, trying: &Try
 }
 
 /// Finds the method for an image of `scene` with this number of rays, as [`Preparation`] does.
+///
+/// # Errors
+///
+/// Returns an error if the scene has no camera, a program cannot be compiled, or the device fails.
 pub fn calibrate_for(
     gpu: &Gpu,
     scene: &Scene,

@@ -40,7 +40,7 @@ pub fn reference(scene: &Scene, tolerance: f64) -> Scene {
 }
 
 /// Returns a device with 64-bit support: the given one, or the first that supports it.
-pub fn double_device(gpu: &Gpu) -> Result<Option<Gpu>, GpuError> {
+pub(crate) fn double_device(gpu: &Gpu) -> Result<Option<Gpu>, GpuError> {
     if gpu.f64 {
         return Ok(None);
     }
@@ -85,6 +85,10 @@ pub struct ReferenceSolution(pub Vec<Known>);
 
 impl ReferenceSolution {
     /// Computes the reference solutions of rays of the scene: the camera's, or given ones.
+    ///
+    /// # Errors
+    ///
+    /// Returns [`GpuError::NoDouble`] if no device supports 64 bits, or another error if the device fails or cannot run the program.
     pub fn new(gpu: &Gpu, scene: &Scene, tolerance: f64, starts: Starts) -> Result<Self, RenderError> {
         let other = double_device(gpu)?;
         let gpu = other.as_ref().unwrap_or(gpu);

@@ -44,6 +44,10 @@ const ONE_PATH: f64 = 1e-2;
 
 /// Finds the setting for the paths between `pairs` of a position and a light, and a light tracer with it; returns `None` if the scene
 /// specifies a method.
+///
+/// # Errors
+///
+/// Returns an error if the program cannot be compiled, or the device fails.
 pub fn calibrate_paths<'a>(
     gpu: &'a Gpu,
     scene: &Scene,

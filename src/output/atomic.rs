@@ -64,6 +64,11 @@ impl AtomicFile {
     /// Creates a file after a check that `path` is writable.
     ///
     /// Symbolic links are followed, even to a missing file, and a replaced file passes on its permissions.
+    ///
+    /// # Errors
+    ///
+    /// Returns [`OutputError::NotAFile`], [`OutputError::ReadOnly`] or [`OutputError::MissingFolder`] for such a path, and
+    /// [`OutputError::Create`] if no file can be created in the folder.
     pub fn create(path: &Path) -> Result<Self, OutputError> {
         let target = destination(path);
         let kept_permissions = replaceable(path)?;
@@ -77,6 +82,10 @@ impl AtomicFile {
     }
 
     /// Writes a file with these bytes.
+    ///
+    /// # Errors
+    ///
+    /// Returns the errors of [`create`](Self::create) and [`finish`](Self::finish), and [`OutputError::Write`] if writing fails.
     pub fn write_whole(path: &Path, bytes: &[u8]) -> Result<(), OutputError> {
         let mut file = Self::create(path)?;
         file.write_all(bytes).map_err(|error| file.failed(error))?;
@@ -95,6 +104,10 @@ impl AtomicFile {
     }
 
     /// Moves the file to its path and replaces an existing file.
+    ///
+    /// # Errors
+    ///
+    /// Returns [`OutputError::Write`] if the rest cannot be written or the file cannot be moved; a file at the path is then unchanged.
     pub fn finish(self) -> Result<(), OutputError> {
         let path = self.path;
         let failed = |cause| OutputError::Write { path: path.clone(), cause };

@@ -41,6 +41,10 @@ pub fn read_rays(path: &Path, aimed: bool) -> Result<Vec<[f64; 6]>, OutputError>
 }
 
 /// Reads a file of positions, as [`read_rays`] reads rays.
+///
+/// # Errors
+///
+/// Returns [`OutputError::Read`] if the file cannot be read, and [`OutputError::Table`] with the line and its problem if it is invalid.
 pub fn read_places(path: &Path) -> Result<Vec<[f64; 3]>, OutputError> {
     read_numbers(path, "points", &PLACE_COLUMNS, |_| Ok(()))
 }

@@ -50,6 +50,10 @@ pub struct ExrWriter {
 
 impl ExrWriter {
     /// Starts an EXR at `path`; exposure, tone map and bit depth are not used.
+    ///
+    /// # Errors
+    ///
+    /// Returns an error if the file cannot be created ([`AtomicFile::create`]) or the head of the file cannot be written.
     pub fn create(path: &Path, settings: &FileSettings) -> Result<Self, OutputError> {
         let layers = sorted_layers(settings);
         let rows = Rows::new(path.to_owned(), settings.window.size, settings.alpha, layers);

@@ -117,6 +117,11 @@ impl FileSettings {
 /// A writer dropped before [`finish`](Self::finish) leaves an existing file unchanged.
 pub trait ImageWriter: Send {
     /// Appends a band, which must begin at the row after the last one written.
+    ///
+    /// # Errors
+    ///
+    /// Returns [`OutputError::Band`] if the band is not the next one, or lacks a plane of the settings, and an error if it cannot be
+    /// encoded or written.
     fn write_band(&mut self, band: &Band) -> Result<(), OutputError>;
 
     /// Completes the file and moves it to its path.

@@ -57,6 +57,11 @@ impl Write for Outbox {
 
 impl PngWriter {
     /// Starts a PNG at `path`; returns an error for layers, which the format cannot store.
+    ///
+    /// # Errors
+    ///
+    /// Returns [`OutputError::Setting`] for layers, for bits other than 8 or 16, and for an exposure that is out of range; and an error if
+    /// the file cannot be created ([`AtomicFile::create`]).
     pub fn create(path: &Path, settings: &FileSettings) -> Result<Self, OutputError> {
         if let Some(problem) = problem(settings) {
             return Err(OutputError::Setting { path: path.to_owned(), problem });

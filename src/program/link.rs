@@ -34,11 +34,19 @@ use super::unroll::unrolled;
 use super::{DeviceProfile, ProgramError};
 
 /// Links the program of the pass with the entry point `entry`.
+///
+/// # Errors
+///
+/// Returns the errors of [`link_all`].
 pub fn link(parts: &Parts, entry: &str) -> Result<LinkedProgram, ProgramError> {
     link_all(parts, &[entry]).map(|mut all| all.remove(0))
 }
 
 /// Links the programs of several passes, in order, each named by its entry point.
+///
+/// # Errors
+///
+/// Returns an error if no module declares an entry point, two modules declare one name, or a module uses a reserved name.
 pub fn link_all(parts: &Parts, entries: &[&str]) -> Result<Vec<LinkedProgram>, ProgramError> {
     let mut sources = Sources::of(parts);
     sources.edit(|tokens, _| in_uniforms(tokens, &parts.lengths));

@@ -89,11 +89,19 @@ pub struct Program {
 
 impl Program {
     /// Creates the program of `scene` for a choice of schedule and output; `extent` is the size of its acceleration structure.
+    ///
+    /// # Errors
+    ///
+    /// Returns [`ProgramError::TooManyItems`] if the scene has too many primitives, or another error if its own WGSL is invalid.
     pub fn new(scene: &Scene, analysis: &Analysis, choice: &Choice, extent: Extent) -> Result<Self, ProgramError> {
         Self::after(None, scene, analysis, choice, extent)
     }
 
     /// Creates a program as [`new`](Self::new) does, and reuses the passes of the previous program `before` if they have the same modules.
+    ///
+    /// # Errors
+    ///
+    /// Returns the errors of [`new`](Self::new).
     pub fn after(
         before: Option<&Self>,
         scene: &Scene,

@@ -13,6 +13,10 @@ use crate::model::point_source::ANCHORS;
 use crate::scene::{Precision, Scene, Segment};
 
 /// Chooses the modules of `scene`'s program. Modules of a contract that a pass does not call are dropped by the linker.
+///
+/// # Errors
+///
+/// Returns an error if a module does not exist, or the WGSL of the scene is invalid.
 pub fn plan(scene: &Scene, analysis: &Analysis, features: &Features) -> Result<Parts, ProgramError> {
     let Analysis { regions, .. } = analysis;
     let mut names = Names::default();

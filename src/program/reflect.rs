@@ -117,6 +117,11 @@ pub struct Field {
 }
 
 /// Validates the program and reads its interface; errors name the location in the original file.
+///
+/// # Errors
+///
+/// Returns [`ProgramError::Invalid`] if the program is not valid, and [`ProgramError::UnknownBinding`] if a binding has a type that no pass
+/// binds.
 pub fn reflect(linked: &LinkedProgram) -> Result<Reflection, ProgramError> {
     let module = validated(linked)?;
     let mut bindings = Vec::new();

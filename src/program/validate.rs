@@ -9,6 +9,10 @@ use super::ProgramError;
 use super::linked::LinkedProgram;
 
 /// Parses the program with naga and validates it completely.
+///
+/// # Errors
+///
+/// Returns [`ProgramError::Invalid`] if the WGSL is not valid, or has a variable that is too large.
 pub fn validated(linked: &LinkedProgram) -> Result<Module, ProgramError> {
     let at = |spans: &mut dyn Iterator<Item = naga::Span>, message: String| {
         // The shortest span that naga reports is the error; longer spans are its context.

@@ -50,6 +50,11 @@ pub(super) fn grids_of(gpu: &Gpu, scene: &Scene, settings: &RenderSettings) -> R
 }
 
 /// Creates the grids of a scene's lights that have one, in the order of the file.
+///
+/// # Errors
+///
+/// Returns [`RenderError::LightGrid`] if the grids exceed `settings.memory`, [`RenderError::LightLost`] if a voxel cannot count its paths,
+/// and another error if a program cannot be compiled or the device fails.
 pub fn light_grids(
     gpu: &Gpu,
     scene: &Scene,

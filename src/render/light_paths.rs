@@ -100,6 +100,10 @@ impl<'a> LightTracer<'a> {
 
     /// Changes the parameters of the step control and the maximum number of segments of a path. The kind of control stays, and no pass is
     /// recompiled.
+    ///
+    /// # Errors
+    ///
+    /// Returns [`GpuError::Layout`] if `control` has other parameters than the control of the scene.
     pub fn retune(&mut self, control: Control, max_segments: u32) -> Result<(), GpuError> {
         self.prepared.retune(control, max_segments)
     }

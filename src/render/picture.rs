@@ -196,6 +196,10 @@ impl Renderer<'_> {
 
     /// Returns the layers of the image's first sample on one tile, for images that fit into one. Returns `None` if a path outlives the pass
     /// that should follow all of it.
+    ///
+    /// # Errors
+    ///
+    /// Returns an error if the device fails or has too little memory.
     pub fn first_sample(&mut self) -> Result<Option<Rendering>, RenderError> {
         let size = self.prepared.scene.image.size;
         let margin = self.prepared.program.features.margin();

@@ -23,6 +23,10 @@ impl Renderer<'_> {
 
     /// Returns the first row of each of `parts` bands, followed by the height of the image. Every band has at least one row, so `parts`
     /// must not exceed the number of rows.
+    ///
+    /// # Errors
+    ///
+    /// Returns an error if the device fails or has too little memory.
     pub fn cuts(&mut self, parts: u32) -> Result<Vec<u32>, RenderError> {
         let rows = self.prepared.scene.image.size[1];
         if parts < 2 {

@@ -22,6 +22,10 @@ const HOPELESS: f64 = 1.3;
 
 impl Renderer<'_> {
     /// Chooses K if there is a choice and the render is long enough to benefit. Returns the K in use.
+    ///
+    /// # Errors
+    ///
+    /// Returns an error if the device fails or has too little memory.
     pub fn choose_segments(&mut self) -> Result<u32, RenderError> {
         let [width, height] = self.window().size;
         let rays = u64::from(width) * u64::from(height) * u64::from(self.prepared.scene.image.samples);

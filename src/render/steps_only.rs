@@ -12,6 +12,10 @@ use crate::program::Role;
 impl Tracer<'_> {
     /// Advances the ray of every pixel, row by row, by the given numbers of steps in one pass, for a tracer made for `Bare`. Returns the
     /// time of the pass on the device, or the total time if the device has no timestamps.
+    ///
+    /// # Errors
+    ///
+    /// Returns [`GpuError::Layout`] if the number of steps is not that of the pixels, or another error if the device fails.
     pub fn bare(&self, steps: &[u32]) -> Result<Duration, RenderError> {
         let prepared = &self.prepared;
         let size = prepared.scene.image.size;

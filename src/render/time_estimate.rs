@@ -22,6 +22,10 @@ impl Renderer<'_> {
     }
 
     /// Estimates the time for all samples of the image; for an adaptive image, the samples that every pixel takes.
+    ///
+    /// # Errors
+    ///
+    /// Returns an error if the device fails or has too little memory.
     pub fn expected_time(&mut self) -> Result<Duration, RenderError> {
         let size = self.small_size();
         let mut taken = Duration::ZERO;

@@ -23,6 +23,10 @@ pub trait Preview {
     /// Returns the approximate time between two previews.
     fn every(&self) -> Duration;
     /// Receives the whole window after `samples` samples.
+    ///
+    /// # Errors
+    ///
+    /// Returns an error to end the render, for example if the preview cannot be written.
     fn look(&self, picture: &Band, samples: u32) -> Result<(), RenderError>;
 }
 

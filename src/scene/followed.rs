@@ -35,6 +35,10 @@ pub fn followed_keys() -> impl Iterator<Item = &'static str> {
 }
 
 /// Returns the overrides that give a scene the settings of [`Rays::followed`], whatever it specifies.
+///
+/// # Errors
+///
+/// Returns [`SceneError::Override`] if `followed` is not a text of [`Rays::followed`].
 pub fn follow_as(followed: &str) -> Result<Vec<Override>, SceneError> {
     let wrong = || SceneError::Override(format!("`{followed}` does not describe the integration of rays"));
     let table: toml::Table = toml::from_str(&format!("rays = {followed}")).map_err(|_| wrong())?;

@@ -116,6 +116,11 @@ pub struct FormulaError {
 
 impl Formula {
     /// Parses a formula and derives its gradient.
+    ///
+    /// # Errors
+    ///
+    /// Returns the first error of the text with its location: a syntax error, an unknown name, a formula that is too long or too deep, or a
+    /// constant that 32 bits cannot hold.
     pub fn parse(text: &str) -> Result<Self, FormulaError> {
         let tree = parse::parse(text, &PLACE)?;
         let mut graph = Graph::default();

@@ -26,6 +26,11 @@ const KNOWN: [&str; 7] = [
 
 impl Gltf {
     /// Opens a file from its bytes.
+    ///
+    /// # Errors
+    ///
+    /// Returns an error if the bytes are not a glTF 2.0 file, or the file requires an unsupported extension. Buffers are read and checked
+    /// later.
     pub fn open(bytes: Vec<u8>, path: &Path) -> Result<Self, SceneError> {
         let is_binary = bytes.starts_with(b"glTF");
         let (json, own) = if is_binary {

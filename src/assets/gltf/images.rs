@@ -31,6 +31,10 @@ pub fn image_of(texture: &Texture) -> Option<usize> {
 
 impl Gltf {
     /// Returns the image with this index.
+    ///
+    /// # Errors
+    ///
+    /// Returns an error if the file has no such image, or the data of the image cannot be read from a buffer or a data URI.
     pub fn image(&self, number: usize) -> Result<Stored, SceneError> {
         self.stored(number).map_err(|flaw| flaw.of(&self.path))
     }

@@ -33,6 +33,10 @@ pub struct Placed<'a> {
 
 impl Gltf {
     /// Returns the nodes of the file's default scene, in the order of the trees, each once.
+    ///
+    /// # Errors
+    ///
+    /// Returns an error if an index is invalid, the nodes do not form trees, or the position of a node is not finite.
     pub fn nodes(&self) -> Result<Vec<Placed<'_>>, SceneError> {
         self.placed().map_err(|flaw| flaw.of(&self.path))
     }

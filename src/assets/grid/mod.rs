@@ -140,6 +140,11 @@ const MOST_SAMPLES: u64 = 1 << 30;
 
 impl IndexGrid {
     /// Reads the samples of a file.
+    ///
+    /// # Errors
+    ///
+    /// Returns [`SceneError::Read`] if the file cannot be read, and [`SceneError::Grid`] if its samples do not fit `used`, have no known
+    /// position, or make an index that is not above 0.
     pub fn load(path: &Path, used: &GridUse) -> Result<Self, SceneError> {
         Self::read(path, used, &Stage::unwatched())
     }

@@ -50,11 +50,19 @@ impl Parts for Gltf {
 
 impl Gltf {
     /// Returns the source of a part of the file, and the map from its space to the file's scene.
+    ///
+    /// # Errors
+    ///
+    /// Returns an error if the file has no such part, or several nodes have its name.
     pub fn find(&self, part: &Part) -> Result<(Source, DAffine3), SceneError> {
         Parts::find(self, part)
     }
 
     /// Reads the triangles of a source; if the file has no normals, they are generated with the angle `crease`.
+    ///
+    /// # Errors
+    ///
+    /// Returns an error if the file has no such part, its data are invalid, or it has no triangles.
     pub fn read(&self, source: &Source, crease: f64) -> Result<Mesh, SceneError> {
         Parts::read(self, source, &Capacity::default())?.mesh(crease).map_err(|flaw| flaw.of(self.path()))
     }

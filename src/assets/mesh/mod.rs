@@ -251,6 +251,10 @@ impl Mesh {
     }
 
     /// Reads a whole file in the format of its extension.
+    ///
+    /// # Errors
+    ///
+    /// Returns an error if the file cannot be read, its format is unknown or invalid, or it has no triangles.
     pub fn load(path: &Path) -> Result<Self, SceneError> {
         let (stage, capacity) = (Stage::unwatched(), Capacity::default());
         let opened = Opened::read(path, Reading { stage: &stage, capacity: &capacity })?;
@@ -259,6 +263,10 @@ impl Mesh {
     }
 
     /// Parses the text of an OBJ file; `path` names it in errors.
+    ///
+    /// # Errors
+    ///
+    /// Returns [`SceneError::Diagnostics`] with every invalid line, or an error if the mesh has no triangles.
     pub fn parse(text: &str, path: &Path) -> Result<Self, SceneError> {
         let (stage, capacity) = (Stage::unwatched(), Capacity::default());
         obj::read(text, path, Reading { stage: &stage, capacity: &capacity })?

@@ -50,6 +50,11 @@ struct Decoded {
 
 impl Picture {
     /// Reads a PNG, JPEG, EXR or HDR file.
+    ///
+    /// # Errors
+    ///
+    /// Returns [`SceneError::Read`] if the file cannot be read, and [`SceneError::Picture`] if its format is not one of these, it cannot be
+    /// decoded, or a pixel is not finite.
     pub fn load(path: &Path) -> Result<Self, SceneError> {
         Self::read(path, &Stage::unwatched())
     }
@@ -78,7 +83,7 @@ impl Picture {
 impl Picture {
     /// Returns the usual extension of a file that begins with these bytes, or
     /// a description of the unsupported format, such as "of the format WebP".
-    pub fn ending(start: &[u8]) -> Result<&'static str, String> {
+    pub(crate) fn ending(start: &[u8]) -> Result<&'static str, String> {
         Format::of(start).map(|format| match format {
             Format::Png => "png",
             Format::Jpeg => "jpg",
@@ -88,7 +93,7 @@ impl Picture {
     }
 
     /// Returns the first bytes of a file, as many as [`ending`](Self::ending) uses.
-    pub fn start(path: &Path) -> std::io::Result<Vec<u8>> {
+    pub(crate) fn start(path: &Path) -> std::io::Result<Vec<u8>> {
         let mut start = Vec::new();
         File::open(path)?.take(32).read_to_end(&mut start)?;
         Ok(start)

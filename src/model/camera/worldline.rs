@@ -43,6 +43,10 @@ impl Event {
 
 /// Returns the event of a freely falling observer after the proper time `proper`, or the proper time at which the path left the domain of
 /// the metric.
+///
+/// # Errors
+///
+/// Returns the proper time at which the path left the domain of the metric, or at which the steps became too short or too many.
 pub fn fall(law: &dyn Law, start: Event, proper: f64) -> Result<Event, f64> {
     let lowered = law.metric(start.x, start.t).ok_or(0.0)? * start.u;
     let mut state = State { x: start.x.extend(start.t), p: lowered };
@@ -141,6 +145,10 @@ pub enum WorldlineError {
 
 impl Path {
     /// Creates the path through at least two points of x, y, z and t.
+    ///
+    /// # Errors
+    ///
+    /// Returns [`WorldlineError::NotLater`] if the time of a point is not after the time of the previous point.
     pub fn through(points: Vec<DVec4>) -> Result<Self, WorldlineError> {
         match points.windows(2).position(|pair| pair[1].w <= pair[0].w) {
             Some(i) => Err(WorldlineError::NotLater(i + 1)),
@@ -174,6 +182,11 @@ impl Path {
     }
 
     /// Returns the event after the proper time `proper`.
+    ///
+    /// # Errors
+    ///
+    /// Returns [`WorldlineError::TooFast`] if the path is not timelike somewhere before this event, and [`WorldlineError::Ends`] if the
+    /// path is shorter.
     pub fn after(&self, law: &dyn Law, proper: f64) -> Result<Event, WorldlineError> {
         /// The number of intervals per segment, each integrated with three-point Gauss quadrature.
         const PARTS: usize = 64;

@@ -77,6 +77,10 @@ impl Series {
 }
 
 /// Draws a chart at `path`, as SVG or PNG by its extension.
+///
+/// # Errors
+///
+/// Returns [`OutputError::PlotFormat`] for another extension, and an error if the file cannot be drawn or written.
 pub fn plot_lines(path: &Path, chart: &Chart) -> Result<(), OutputError> {
     let placed: Vec<_> = chart.series.iter().map(|series| series.placed([chart.log_x, chart.log_y])).collect();
     let all = || placed.iter().flatten().flatten();

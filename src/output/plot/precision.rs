@@ -87,6 +87,10 @@ fn same(a: &[f64; 2], b: &[f64; 2]) -> bool {
 }
 
 /// Draws a work–precision diagram at `path`, as SVG or PNG by its extension.
+///
+/// # Errors
+///
+/// Returns [`OutputError::PlotFormat`] for another extension, and an error if the file cannot be drawn or written.
 pub fn plot_precision(path: &Path, chart: &PrecisionPlot) -> Result<(), OutputError> {
     let placed = chart.placed();
     let all = || placed.iter().flatten().flatten();

@@ -33,6 +33,10 @@ fn is_svg(path: &Path) -> Result<bool, OutputError> {
 }
 
 /// Checks that a plot can be written at `path`, before its data are computed.
+///
+/// # Errors
+///
+/// Returns [`OutputError::PlotFormat`] for an extension other than `.svg` and `.png`, and the errors of [`AtomicFile::create`].
 pub fn check_plot(path: &Path) -> Result<(), OutputError> {
     is_svg(path)?;
     AtomicFile::create(path).map(drop)

@@ -43,6 +43,10 @@ pub struct ReportTable {
 }
 
 /// Writes a report at `path`, as one page of HTML.
+///
+/// # Errors
+///
+/// Returns an error if the file cannot be created or written.
 pub fn write_report(path: &Path, title: &str, sections: &[Section]) -> Result<(), OutputError> {
     AtomicFile::write_whole(path, page(title, sections).as_bytes())
 }

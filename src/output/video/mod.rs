@@ -81,6 +81,11 @@ fn before_black(pixel: Rgba<u8>) -> [u8; 3] {
 }
 
 /// Checks that a video of images of this size can be written here.
+///
+/// # Errors
+///
+/// Returns [`OutputError::Setting`] if the extension is not that of a video, `ffmpeg` is required and not installed, or a side is too long
+/// for the format.
 pub fn check_film(path: &Path, size: [u32; 2]) -> Result<(), OutputError> {
     let setting = |problem: &str| OutputError::Setting { path: path.to_owned(), problem: problem.to_owned() };
     let kind = kind(path).ok_or_else(|| setting("the name of a video must end in .mp4, .webm, .gif, .png or .apng"))?;
@@ -100,6 +105,11 @@ pub fn check_film(path: &Path, size: [u32; 2]) -> Result<(), OutputError> {
 }
 
 /// Encodes a video from images of one size at this rate per second; reports the frames to `progress`.
+///
+/// # Errors
+///
+/// Returns [`OutputError::Part`] if a frame cannot be read or has another size than the first, the errors of [`check_film`], and an error
+/// if the video cannot be encoded or written.
 pub fn film(path: &Path, frames: &[PathBuf], rate: f64, progress: &Progress) -> Result<(), OutputError> {
     let name = path.file_name().unwrap_or_default().to_string_lossy();
     let stage = progress.counted(format!("encoding {name}: frame"), frames.len());

@@ -60,6 +60,10 @@ impl Scene {
     /// Loads a scene like [`Scene::load`], with a cache of files for later scenes and, if a frame is given, with the values of
     /// `[animation]` at that frame. `frame_of` returns the frame of each track, or a time between two frames, from its key; the result is
     /// equal for all tracks, unless the effect of a single track is examined.
+    ///
+    /// # Errors
+    ///
+    /// Returns the errors of [`load`](Self::load).
     pub fn load_with(
         files: &mut Files,
         path: &Path,
@@ -71,6 +75,10 @@ impl Scene {
 
     /// Returns the contents of a scene file after overrides and frame values: every value by its key, without `[animation]`, but with its
     /// tracks if a frame's shutter is open. Equivalent files have equal listings.
+    ///
+    /// # Errors
+    ///
+    /// Returns an error if the file cannot be read or is not valid TOML.
     pub fn listing(
         path: &Path,
         overrides: &[Override],

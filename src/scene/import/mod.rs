@@ -55,6 +55,10 @@ impl Extent {
 }
 
 /// Converts a file to a scene; `scene` is the path where it will be written.
+///
+/// # Errors
+///
+/// Returns an error if the data of the file are invalid, or its scene has no triangles.
 pub fn import(file: &Gltf, scene: &Path) -> Result<Imported, SceneError> {
     let folder = scene.parent().unwrap_or(Path::new(""));
     let stem = scene.file_stem().map_or_else(|| "scene".into(), |stem| stem.to_string_lossy());

@@ -25,6 +25,10 @@ use crate::output::OutputError;
 const OFF_PLANE: f64 = 1e-3;
 
 /// Draws a ray diagram at `path`, as SVG or PNG by its extension.
+///
+/// # Errors
+///
+/// Returns [`OutputError::PlotFormat`] for another extension, and an error if the file cannot be drawn or written.
 pub fn plot_paths(path: &Path, plot: &PathPlot) -> Result<(), OutputError> {
     let with_bound = legend(plot, plot.bound.is_some());
     let sheet = sheet(plot, &with_bound);
