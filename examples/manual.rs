@@ -8,6 +8,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::error::Error;
+use std::fmt::Write;
 use std::fs;
 use std::path::{Component, Path, PathBuf};
 use std::process::Command;
@@ -87,7 +88,8 @@ impl Source {
         fs::create_dir_all(self.folder.join(folder))?;
         for (_, target) in links(text) {
             let file = joined(folder, target.split('#').next().unwrap_or(&target));
-            let is_file = !target.contains("://") && !target.starts_with('#') && !file.ends_with(".md");
+            let is_page = Path::new(&file).extension() == Some("md".as_ref());
+            let is_file = !target.contains("://") && !target.starts_with('#') && !is_page;
             if is_file && root().join(&file).is_file() {
                 let to = self.folder.join(&file);
                 fs::create_dir_all(to.parent().unwrap_or(&self.folder))?;
@@ -103,11 +105,11 @@ impl Source {
         let folder = root().join(path).parent().unwrap_or(root()).join("pictures");
         let mut text = String::new();
         for line in read(path)?.lines() {
-            text += &format!("{line}\n");
+            text.extend([line, "\n"]);
             let name = line.strip_prefix("    bentray ").and_then(|line| line.split(" -o ").nth(1)?.split(' ').next());
             let name = name.map(|name| name.replace(".exr", ".png"));
             if let Some(name) = name.filter(|name| folder.join(name).is_file()) {
-                text += &format!("\n![The image of this command](pictures/{name})\n");
+                writeln!(text, "\n![The image of this command](pictures/{name})")?;
             }
         }
         self.write(path, &text)
@@ -121,7 +123,7 @@ fn links(text: &str) -> Vec<(String, String)> {
     for event in Parser::new(text) {
         match event {
             Event::Start(Tag::Link { dest_url, .. } | Tag::Image { dest_url, .. }) => {
-                open = Some((String::new(), dest_url.to_string()))
+                open = Some((String::new(), dest_url.to_string()));
             }
             Event::End(TagEnd::Link | TagEnd::Image) => found.extend(open.take()),
             Event::Text(text) | Event::Code(text) => {
@@ -140,15 +142,15 @@ fn with_tables(summary: &str, keys: &[(String, String)]) -> String {
     let mut text = String::new();
     for line in summary.lines() {
         let Some(path) = chapter(line) else {
-            text += &format!("{line}\n");
+            text.extend([line, "\n"]);
             continue;
         };
         let (before, _) = line.split_once("](").unwrap_or((line, ""));
-        text += &format!("{before}]({path})\n");
+        text.extend([before, "](", &path, ")\n"]);
         if path.ends_with("/keys.md") {
             for (path, page) in &keys[1..] {
                 let title = page.lines().next().unwrap_or("").trim_start_matches("# ");
-                text += &format!("  - [{title}]({path})\n");
+                text.extend(["  - [", title, "](", path, ")\n"]);
             }
         }
     }
@@ -169,7 +171,7 @@ fn key_pages() -> Vec<(String, String)> {
         let file = if table.is_empty() { "top_level".to_owned() } else { table.to_lowercase().replace('.', "_") };
         let names: Vec<String> =
             keys.iter().map(|key| format!("`{}`", key.key)).collect::<BTreeSet<_>>().into_iter().collect();
-        overview += &format!("| [{title}](table_{file}.md) | {} |\n", names.join(", "));
+        overview.extend(["| [", &title, "](table_", &file, ".md) | ", &names.join(", "), " |\n"]);
         let mut text = format!("# {title}\n\n");
         for key in keys {
             text += &key_section(key);
@@ -179,9 +181,8 @@ fn key_pages() -> Vec<(String, String)> {
             text += "## Pictures\n\n";
         }
         for ((_, key, value), (picture, scene)) in shown {
-            text += &format!(
-                "`{key} = \"{value}\"`, in [{scene}](../../../{scene}):\n\n![{value}](../../../{picture})\n\n"
-            );
+            let place = format!("`{key} = \"{value}\"`, in [{scene}](../../../{scene})");
+            text.extend([&place, ":\n\n![", value, "](../../../", picture, ")\n\n"]);
         }
         found.push((format!("{folder}/table_{file}.md"), text));
     }
@@ -195,7 +196,7 @@ fn key_section(key: &KeyReference) -> String {
     format!(
         "## `{}`\n\n{when}{}.\n\n| value | default |\n|---|---|\n| {} | {} |\n\n",
         key.key,
-        sentence(&key.meaning),
+        sentence(key.meaning),
         cell(&key.value),
         cell(key.default)
     )
@@ -280,7 +281,7 @@ fn command_page(program: &Path) -> Outcome<String> {
         .lines()
         .filter_map(|line| line.strip_prefix("  ").filter(|line| !line.starts_with(' '))?.split(' ').next());
     for name in names {
-        text += &format!("## bentray {name}\n\n```text\n{}\n```\n\n", help(&[name])?);
+        write!(text, "## bentray {name}\n\n```text\n{}\n```\n\n", help(&[name])?)?;
     }
     Ok(text)
 }

@@ -58,7 +58,7 @@ impl Page {
             let is_name =
                 name.contains('.') && name.bytes().all(|byte| byte.is_ascii_alphanumeric() || b"._-".contains(&byte));
             // A table has no comments.
-            is_name.then_some((name, if name.ends_with(".csv") { rest } else { text }))
+            is_name.then_some((name, if name.rsplit('.').next() == Some("csv") { rest } else { text }))
         });
         named.collect()
     }

@@ -123,8 +123,9 @@ fn checked(words: &[String]) -> Vec<String> {
 fn is_read(words: &[String], later: &[Vec<String>]) -> bool {
     let outputs = words.iter().zip(&words[1..]).filter(|(flag, _)| *flag == "-o").map(|(_, file)| file);
     let stems: Vec<&str> = outputs.map(|file| file.split(['.', '{']).next().unwrap()).collect();
+    let is_scene = |file: &str| Path::new(file).extension() == Some("toml".as_ref());
     later.iter().any(|words| {
-        let inputs = words.iter().zip(&words[1..]).filter(|(flag, word)| *flag != "-o" && !word.ends_with(".toml"));
+        let inputs = words.iter().zip(&words[1..]).filter(|(flag, word)| *flag != "-o" && !is_scene(word));
         inputs.map(|(_, word)| word).any(|word| stems.iter().any(|stem| word.starts_with(stem)))
     })
 }

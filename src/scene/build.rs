@@ -64,7 +64,7 @@ impl Scene {
 
     /// Adds a material, and returns its index for [`Scene::add_object`].
     ///
-    /// `name` appears only in messages. `color` is linear red, green and blue, each usually from 0 to 1; `surface` defines how the material
+    /// `name` appears in messages. `color` is linear red, green and blue, each usually from 0 to 1; `surface` defines how the material
     /// scatters light.
     pub fn add_material(&mut self, name: &str, color: Pattern, surface: impl Surface) -> usize {
         self.materials.push(Material { name: name.to_owned(), color, surface: Arc::new(surface) });
