@@ -286,7 +286,7 @@ fn command_page(program: &Path) -> Outcome<String> {
     Ok(text)
 }
 
-/// Runs the commands of a page in a folder of their own, and keeps the pictures that the page shows.
+/// Runs the commands of a page in a temporary folder, and keeps the pictures that the page shows.
 fn make_pictures(program: &Path, page: Page) -> Outcome<()> {
     let folder = tempfile::tempdir()?;
     std::os::unix::fs::symlink(root().join("scenes"), folder.path().join("scenes"))?;

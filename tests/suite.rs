@@ -41,6 +41,7 @@ mod parametric;
 mod paths;
 mod pictures;
 mod progress;
+mod prose;
 mod sampling;
 mod schedules;
 mod shaders;

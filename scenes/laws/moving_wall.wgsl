@@ -1,5 +1,5 @@
-// A wall that light bounces off, moving along its normal: a smooth step of potential, so steep that what comes slower than it is
-// turned back. What meets it while it approaches comes back faster.
+// A wall that light bounces off, moving along its normal: a smooth step of potential, so steep that it turns
+// slower rays back. Rays that meet the wall while it approaches come back faster.
 
 fn law_pull_at(x: Real3, v: Real3, tau: Real) -> Real3 {
     let depth = (dot(x, law.normal) - law.offset - law.speed * tau) / law.width;

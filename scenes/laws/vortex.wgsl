@@ -1,4 +1,4 @@
-// A vortex: rays are driven round an axis, most at the distance `width` from it.
+// A vortex: rays are driven around an axis, most at the distance `width` from it.
 
 fn law_acceleration(x: Real3, held: Real) -> Real3 {
     let across = x - dot(x, law.axis) * law.axis;

@@ -1,4 +1,4 @@
-// Computes absorption in media (thesis 2.3, 4.4): the transmittance exp(−∫ σ ds), where s is length in the scene and σ = −ln c, c being the
+// Computes absorption in media (T 2.3, 4.4): the transmittance exp(−∫ σ ds), where s is length in the scene and σ = −ln c, c being the
 // color that remains after a unit length. It is accumulated step by step as a ray passes; the last step counts up to its end.
 //
 // A step is cut into pieces. Each is integrated by the two-point Gauss rule and again in halves, until the two results agree; Richardson

@@ -33,7 +33,7 @@ fn density_mix(filter_at: Filter, q: Real3, sum: f32) -> vec3f {
     return density_of(mix(filter_at.color, filter_at.high, texture_share(filter_at, sum)));
 }
 
-// A transition between two colors, repeated several times (thesis 2.4.3).
+// A transition between two colors, repeated several times (T 2.4.3).
 
 const WRAPPED: u32 = 4u;
 
@@ -41,7 +41,7 @@ fn density_wrapped(filter_at: Filter, q: Real3, sum: f32) -> vec3f {
     return density_of(mix(filter_at.color, filter_at.high, fract(filter_at.times * texture_share(filter_at, sum))));
 }
 
-// Seven colors, linear in between. The thesis takes its rainbow from an equation that it does not print; this one is our own.
+// Seven colors, linear in between. The rainbow of T comes from an equation that T does not print; this one is different.
 
 const RAINBOW: u32 = 5u;
 

@@ -1,4 +1,4 @@
-// The fractal sum of noise as a number from 0 to 1 (thesis Eq. 10): splines overshoot this range and are clamped. It computes values only,
+// The fractal sum of noise as a number from 0 to 1 (T Eq. 10): splines overshoot this range and are clamped. It computes values only,
 // without the gradients that media need, and has no loop except over octaves.
 
 fn noise_layer(cell: vec3i, seed: u32, across: Real4, up: Real4) -> Real {

@@ -1,4 +1,4 @@
-// The speed of light along v in a spacetime: κ of v/κ from aκ² + 2bκ = c, where a = −g_tt, b = g_tv and c = g_vv. Where no observer can be
+// The speed of light along v in a spacetime: κ of v/κ from aκ² + 2bκ = c, where a = −g_tt, b = g_tv and c = g_vv. If no observer can be
 // static, light has two speeds in some directions, of which the one nearer to v is returned, and none in others: then the result is 0 or
 // not a number.
 

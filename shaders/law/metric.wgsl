@@ -1,5 +1,5 @@
-// Light in a custom metric: v = dx/dτ, τ = t_camera − t. If a throat joins two sides of space, each side is drawn around a mouth of its
-// own, and a position belongs to the side of the nearer mouth. Slightly beyond the throat, at l < 0, it still belongs to the side that it
+// Light in a custom metric: v = dx/dτ, τ = t_camera − t. If a throat joins two sides of space, each side is drawn around its
+// own mouth, and a position belongs to the side of the nearer mouth. Slightly beyond the throat, at l < 0, it still belongs to the side that it
 // came from.
 
 struct Law {

@@ -1,5 +1,5 @@
 // A wormhole that joins two positions by a throat: ds² = −dt² + dl² + r(l)² dΩ², where l is the proper distance from the throat, above 0 on
-// this side and below 0 on the other. Each side is drawn around a mouth of its own, x = R n̂ with R = ρ₀ + |l|, so that radial lengths are
+// this side and below 0 on the other. Each side is drawn around its own mouth, x = R n̂ with R = ρ₀ + |l|, so that radial lengths are
 // true and the throat is the sphere R = ρ₀. With n̂′ = v⊥/R and r² n̂′ constant in its plane,
 //     x″ = (r r′ − R) |v⊥|²/R² n̂ + 2 v_R (1/R − r′/r) v⊥,
 // which also holds slightly beyond the throat, where steps end that are cut at it.

@@ -1,8 +1,8 @@
 // The disturbed air of W04 Fig. 4(d), a noise-based index after an explosion:
 // n(x) = 1 + amplitude · ξ(r/R) · Σ 2⁻ʲ noise(2ʲ · frequency · (x − c)), ξ(q) = 2q³ − 3q² + 1, so that n = 1 outside R.
 //
-// The lattice noise is blended by the quintic 6t⁵ − 15t⁴ + 10t³, whose second derivative has no jumps: with the Catmull–Rom blend of the
-// thesis ∇n has kinks at the faces of cells, where RK4 would lose its order. ∇n is the analytic derivative.
+// The lattice noise is blended by the quintic 6t⁵ − 15t⁴ + 10t³, whose second derivative has no jumps: with the Catmull–Rom blend of
+// T §2.4 ∇n has kinks at the faces of cells, where RK4 would lose its order. ∇n is the analytic derivative.
 
 struct Medium {
     center: Real3,

@@ -1,4 +1,4 @@
-// The noise of the thesis (§2.4): the lattice blended by Catmull–Rom splines along all three axes, from 64 points, and the fractal sum of
+// The noise of T §2.4: the lattice blended by Catmull–Rom splines along all three axes, from 64 points, and the fractal sum of
 // its octaves (Eq. 10).
 //
 // One octave overshoots its lattice values, to 125/64 at most. Its gradient is continuous and analytic here: splines again, with the

@@ -1,4 +1,4 @@
-// A Gaussian sphere: n = a e^(−b r²/R²) (thesis §5.2.2). With b = ln a the index at R is 1.
+// A Gaussian sphere: n = a e^(−b r²/R²) (T §5.2.2). With b = ln a the index at R is 1.
 
 struct Medium {
     center: Real3,

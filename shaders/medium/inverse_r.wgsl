@@ -1,4 +1,4 @@
-// n = k/r (thesis Eq. 17): paths are logarithmic spirals. The index is infinite at the center.
+// n = k/r (T Eq. 17): paths are logarithmic spirals. The index is infinite at the center.
 
 struct Medium {
     center: Real3,

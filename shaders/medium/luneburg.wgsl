@@ -1,4 +1,4 @@
-// The generalized Luneburg lens: n = √(C − r²/R²) (thesis Eq. 16). Its pull is that of a spring.
+// The generalized Luneburg lens: n = √(C − r²/R²) (T Eq. 16). Its pull is that of a spring.
 
 struct Medium {
     center: Real3,

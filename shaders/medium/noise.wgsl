@@ -1,4 +1,4 @@
-// A medium of noise (thesis §2.4): n = n₀ + amplitude · Σ 2⁻ʲ noise(2ʲ · frequency · (x − c)).
+// A medium of noise (T §2.4): n = n₀ + amplitude · Σ 2⁻ʲ noise(2ʲ · frequency · (x − c)).
 
 struct Medium {
     center: Real3,

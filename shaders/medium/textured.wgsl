@@ -1,4 +1,4 @@
-// An index that varies over a surface alone (thesis §5.2.1): n₀ + amplitude · Σ 2⁻ʲ noise(2ʲ · frequency · (x − c)) where light enters or
+// An index that varies over a surface alone (T §5.2.1): n₀ + amplitude · Σ 2⁻ʲ noise(2ʲ · frequency · (x − c)) where light enters or
 // leaves, and straight paths in between.
 
 struct Medium {

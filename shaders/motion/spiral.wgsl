@@ -1,9 +1,9 @@
-// Logarithmic spirals: rays in n = k/r (thesis §5.2.2.2). With ψ the angle between the ray and the circle around the center, which is
+// Logarithmic spirals: rays in n = k/r (T §5.2.2.2). With ψ the angle between the ray and the circle around the center, which is
 // constant, and dσ = ds/r,
 //
 //     r = r₀ e^(σ sin ψ),    θ = σ cos ψ,
 //
-// which holds for circles (ψ = 0) and for radial rays (ψ = ±90°) too, unlike the r(θ) of the thesis. Steps are measured in σ; a tightly
+// which holds for circles (ψ = 0) and for radial rays (ψ = ±90°) too, unlike the r(θ) of T. Steps are measured in σ; a tightly
 // wound ray makes any number of turns in one step.
 
 struct Spiral {

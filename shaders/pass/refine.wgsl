@@ -1,5 +1,5 @@
 // Chooses the pixels that take more samples, after each round. If the four corners of a pixel, shared with its neighbors, have the same end
-// and similar colors, the pixel is done with their mean. Other pixels take FIRST_SAMPLES of their own, and then twice as many until the
+// and similar colors, the pixel is done with their mean. Other pixels take FIRST_SAMPLES more, and then twice as many until the
 // standard error of their mean is below the tolerance, or until they reach the limit, which is counted.
 
 struct Refinement {

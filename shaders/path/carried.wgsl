@@ -1,5 +1,5 @@
 // The state that a path carries from surface to surface, instead of a throughput alone: the throughput, and the light that it has found.
-// Since L/n² is constant along a ray (thesis Eq. 14), only the first and the last of all indices matter.
+// Since L/n² is constant along a ray (T Eq. 14), only the first and the last of all indices matter.
 
 struct Carried {
     // The throughput: the product of the surfaces' reflected or transmitted fractions.

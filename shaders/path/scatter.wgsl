@@ -1,4 +1,4 @@
-// Path tracing (thesis 4.3): a sample is one path, which continues from every surface in one direction until it finds no more light. Each
+// Path tracing (T 4.3): a sample is one path, which continues from every surface in one direction until it finds no more light. Each
 // part of it is an ordinary ray, followed under the scene's law and through its media, so that nothing assumes that light is straight: no
 // line of sight is ever tested.
 

@@ -1,4 +1,4 @@
-// Computes the alpha of a pixel: the number of its samples that show the scene. Where the camera has no rays, alpha is 0, and a transparent
+// Computes the alpha of a pixel: the number of its samples that show the scene. If the camera has no ray there, alpha is 0, and a transparent
 // sky may be partly visible. Matter scatters light into all directions: nothing behind it is visible.
 
 var<storage, read_write> pixel_alpha: array<f32>;

@@ -1,4 +1,4 @@
-// Writes the layers of a ray's end, besides its color: for the first sample of a pixel, because positions and ids have no average.
+// Writes the layers of a ray's end, except its color: for the first sample of a pixel, because positions and ids have no average.
 
 var<storage, read_write> pixel_layer_depth: array<f32>;
 var<storage, read_write> pixel_layer_segments: array<f32>;

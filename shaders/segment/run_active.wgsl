@@ -1,6 +1,6 @@
 // Follows segments of active rays: each until it ends, or until the pass has done its number of them.
 //
-// Segments that nothing is near and that end no path are followed in a loop of their own, which does nothing else. Rays from a light
+// Segments that nothing is near and that end no path are followed in a separate loop, which does nothing else. Rays from a light
 // deposit it in the voxels on their way.
 
 fn follow_segments(spot: ActiveRay, ray: ptr<function, Ray>, end: ptr<function, Hit>, segments: ptr<function, u32>) {

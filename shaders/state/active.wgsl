@@ -20,7 +20,7 @@ struct Invocation {
 struct Place {
     // Always a pixel of the tile, so that nothing outside it is ever read.
     pixel: vec2u,
-    // False for invocations past the end of the work, which have no pixel of their own.
+    // False for invocations past the end of the work, which have no pixel.
     valid: bool,
 }
 

@@ -14,7 +14,7 @@ struct Frame {
     branch: u32,
     // 1 if the pixels of this round are listed, 0 if they are all pixels of the tile.
     listed: u32,
-    // Always 0, which no compiler knows.
+    // Always 0, but compilers cannot assume it.
     zero: u32,
 }
 

@@ -1,4 +1,4 @@
-// Samples images, each in a texture of its own, unfiltered or averaged over the footprint of a sample, by bilinear samples of a mipmap
+// Samples images, each in a separate texture, unfiltered or averaged over the footprint of a sample, by bilinear samples of a mipmap
 // pyramid (Williams 1983), several along the longer axis (McCormack et al. 1999). For footprints below a texel the result is bit-identical
 // to the unfiltered image.
 

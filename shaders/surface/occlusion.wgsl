@@ -1,4 +1,4 @@
-// Ambient occlusion (thesis 6.2): a position receives the fraction of the ambient light for which its hemisphere is open, weighted by the
+// Ambient occlusion (T 6.2): a position receives the fraction of the ambient light for which its hemisphere is open, weighted by the
 // cosine. Each sample follows one direction, drawn like the diffuse one: along a straight line whatever the law, or along the law, which
 // may bend the view of the surroundings, with the speed of the ray that sees the position. If that ray is captured or hits anything, no
 // light comes along it.

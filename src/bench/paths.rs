@@ -152,10 +152,10 @@ fn room([width, height]: [u32; 2], radius: f64) -> Result<Scene, RenderError> {
          [rays]\nbounding_sphere = {{ center = [0, 1, 0], radius = 5 }}\nlighting = \"path-tracing\"\n\
          [materials.white]\ndiffuse = [0.75, 0.75, 0.75]\n[materials.red]\ndiffuse = [0.65, 0.06, 0.05]\n\
          [materials.green]\ndiffuse = [0.12, 0.5, 0.1]\n[materials.mirror]\nkind = \"mirror\"\ncolor = [0.9, 0.9, 0.9]\n\
-         [materials.lamp]\nkind = \"emissive\"\ncolor = [{radiance}, {radiance}, {radiance}]\n{}\
+         [materials.light]\nkind = \"emissive\"\ncolor = [{radiance}, {radiance}, {radiance}]\n{}\
          [[objects]]\nshape = \"sphere\"\nmaterial = \"mirror\"\ncenter = [-0.45, 0.401, -0.4]\nradius = 0.4\n\
          [[objects]]\nshape = \"sphere\"\ninterior = 1.5\ncenter = [0.45, 0.401, 0.25]\nradius = 0.4\n\
-         [[objects]]\nshape = \"sphere\"\nmaterial = \"lamp\"\ncenter = [0, 1.55, 0]\nradius = {radius}\n",
+         [[objects]]\nshape = \"sphere\"\nmaterial = \"light\"\ncenter = [0, 1.55, 0]\nradius = {radius}\n",
         walls.concat()
     );
     own_scene(&text)

@@ -45,7 +45,7 @@ pub struct Outcome {
     pub diverged: Option<f64>,
 }
 
-/// Returns the settings to compare: the default one, and two finer ones. Where the cap limits steps, a smaller tolerance alone has no
+/// Returns the settings to compare: the default one, and two finer ones. If the cap limits steps, a smaller tolerance alone has no
 /// effect, so that the cap is also reduced.
 #[must_use]
 pub fn default_settings(candidate: &Candidate) -> [Control; 3] {

@@ -43,7 +43,7 @@ pub(super) struct Arguments {
     format: Format,
 }
 
-/// Checks every scene, and reports every error, before the exit code tells whether there were any.
+/// Checks every scene, reports every error, and returns an exit code that reports whether there were any.
 pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
     if arguments.reference {
         arguments.format.say(&Reference)?;

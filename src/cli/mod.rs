@@ -159,7 +159,7 @@ const RENAMED: &[(&[&str], &str)] = &[
     (&["--gpu", "--adapter"], "--device"),
 ];
 
-/// Prints the help if it was requested, otherwise the usage error; if a scene stands in for the command, suggests `render`.
+/// Prints the help if it was requested, otherwise the usage error; if a scene replaces the command, suggests `render`.
 fn refuse(error: &clap::Error) -> ExitCode {
     // If stderr is closed, nobody can be told.
     let _ = error.print();

@@ -1,6 +1,6 @@
 //! The display of progress: one line at the bottom of a terminal, redrawn in place, or an occasional line in a log.
 //!
-//! *Idea.* Work reports its progress to memory; a thread reads it ten times a second and draws. So a terminal shows that the program
+//! *Idea.* Work reports its progress to memory; a thread reads it ten times per second and draws. So a terminal shows that the program
 //! is alive even while one unit of work takes long, and a log gets its lines on time.
 //!
 //! *Practice.* All messages of the program go through [`cleared`], so that they appear above the line and never inside it. Work that

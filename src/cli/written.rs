@@ -6,7 +6,7 @@ use super::words::quoted;
 use crate::error::Error;
 use crate::output::{OutputError, has_extension, is_film};
 
-/// Rejects the names of images and videos: a user who gives one wants to render.
+/// Rejects the names of images and videos: a user who gives one intends to render.
 pub(super) fn check_scene_name(path: &Path) -> Result<(), Error> {
     if !is_film(path) && !["png", "exr"].iter().any(|end| has_extension(path, end)) {
         return Ok(());

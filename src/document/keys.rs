@@ -9,7 +9,7 @@ use serde::Serialize;
 pub struct Key {
     /// The key.
     pub key: &'static str,
-    /// An additional condition besides the kind, such as ` and no points`; empty if there is none.
+    /// A condition in addition to the kind, such as ` and no points`; empty if there is none.
     pub also: &'static str,
     /// The values that the key takes; words are quoted in the file.
     pub value: &'static str,

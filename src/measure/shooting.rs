@@ -1,7 +1,7 @@
 //! The search of `method = "auto"` for the shooting method: a setting is accurate if finer ones find identical paths from lights to
 //! positions.
 //!
-//! *Theory.* The end of a ray towards a position says little about the paths that lead there, because the Newton iteration divides by the
+//! *Theory.* The end of a ray towards a position gives little information about the paths that lead there, because the Newton iteration divides by the
 //! spread of a bundle. The comparison therefore uses the required result, the directions of a path at both ends. Steps are refined until
 //! the distances between runs, and their ratios, show that the last one is accurate; they include the residual of the search at the
 //! position.

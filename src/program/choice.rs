@@ -154,7 +154,7 @@ impl Purpose {
     }
 }
 
-/// Everything besides the scene that determines the contents of its program.
+/// Everything except the scene that determines the contents of its program.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Choice {
     /// The distribution of stages over passes.

@@ -13,7 +13,7 @@ pub(super) fn has_call(tokens: &[Token]) -> bool {
     tokens.windows(2).any(|pair| pair[1].word == "(" && is_word(&pair[0]))
 }
 
-/// Returns `true` if the expression contains names besides constants and called functions.
+/// Returns `true` if the expression contains names other than constants and called functions.
 pub(super) fn has_variable(tokens: &[Token]) -> bool {
     let is_constant = |word: &str| matches!(word, "true" | "false") || !word.contains(|c: char| c.is_lowercase());
     let is_called = |i: usize| tokens.get(i + 1).is_some_and(|next| next.word == "(");

@@ -2,7 +2,7 @@
 //!
 //! *Theory.* Features are constants of a program: `const FEATURE: bool = true;`. A module may test one, `if FEATURE { … } else { … }`, so
 //! variants that differ in a line do not need separate files. Functions and bindings that only the other block uses are not in the
-//! program, because branches are decided before the linker searches what a pass reaches.
+//! program, because branches are decided before the linker searches for the declarations that a pass reaches.
 //!
 //! *Practice.* A condition is `FEATURE` or `!FEATURE`. Code after a taken block that returns is dropped too, so a function
 //! may begin with `if !FEATURE { return x; }`.

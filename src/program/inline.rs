@@ -1,7 +1,7 @@
 //! Inlining of functions that only pass on a value.
 //!
 //! *Theory.* The simplest implementation of a contract is `return false;`, `return x;`, `return other(x);` or an empty body, as for an
-//! empty medium or a law that needs no projection. A reader of the linked program wants to see only the code that does something.
+//! empty medium or a law that needs no projection. Readers of the linked program should see only the code that does something.
 //!
 //! *Practice.* A call is replaced if that cannot change the result: no argument with a call is lost or computed twice, no name
 //! means something else there, and a number keeps its type. Conditions that are then constant are decided as features are.

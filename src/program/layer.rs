@@ -1,6 +1,6 @@
-//! The layers of an image besides its color.
+//! The layers of an image, except its color.
 
-/// A quantity that an image stores besides color.
+/// A quantity that an image stores in addition to color.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Layer {
     /// The length of the path from the camera to the surface, in scene units.

@@ -13,7 +13,7 @@ pub(super) fn filter_parts(scene: &Scene, features: &Features, names: &mut Names
     }
     names.all(&["absorption/along", "absorption/density", "absorption/track", "absorption/jumping"]);
     let mut kinds: Vec<_> = scene.filters().map(|filter| (filter.texture().is_some(), filter.kind())).collect();
-    // Where nothing absorbs, absorption is uniform.
+    // If nothing absorbs, absorption is uniform.
     kinds.push((false, "even"));
     kinds.sort_unstable();
     kinds.dedup();

@@ -2,7 +2,7 @@
 //!
 //! *Theory.* Lists of the scene are in storage buffers, which have room for any number of entries. A device that runs lanes side by side
 //! reads a storage buffer separately for each lane. It reads a uniform once if all lanes need the same entry; otherwise a CPU reads
-//! it at half the cost of storage. A list whose length the linker knows may also be traversed without a loop.
+//! it at half the cost of storage. A list with a length known to the linker may also be traversed without a loop.
 //!
 //! *Practice.* `var<storage, read> lights: array<Light>` becomes `var<uniform> lights: array<Light, 3>`, and `arrayLength(&lights)`
 //! becomes that number. This applies to lists of up to [`SHORT`] entries, because the uniforms of a pass must fit into a device's limit.

@@ -1,8 +1,8 @@
 //! Unrolling of loops with a known count (W04 §7 unrolls its loops).
 //!
 //! *Theory.* Every loop costs a pass a counter, naga's limit on the number of iterations, and on a CPU a mask of the active lanes.
-//! In addition, a uniform read at a varying index is read once for every lane. A loop with few iterations over a list whose
-//! length the linker knows needs none of that.
+//! In addition, a uniform read at a varying index is read once for every lane. A loop with few iterations over a list
+//! with a length known to the linker needs none of that.
 //!
 //! *Practice.* `for (var i = 0u; i < COUNT; i++) { … }`, where COUNT is a number or a constant of the program, becomes its body once
 //! for each i, unless the body leaves the loop itself or the result would be long.

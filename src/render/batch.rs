@@ -88,7 +88,7 @@ mod tests {
             assert_eq!(read, batch.place(last.written, round - 1));
             assert_eq!(read, batch.place(last.read, round));
             assert_eq!(read, batch.place(advance.read, round));
-            assert_ne!(read.list, batch.place(last.written, round).list, "what is read is not written");
+            assert_ne!(read.list, batch.place(last.written, round).list, "a list is read and written");
             // Half of the sections are cleared before a batch; the list that is read must not be among them.
             assert_ne!(round % 3 == 0, read.section / 3 == u64::from(round) / 3 % 2);
             let active = ListSection {

@@ -1,7 +1,7 @@
 //! Runs the passes of a sample: the loop of Figure 1 in W04.
 //!
 //! *Theory.* If surfaces split rays, a sample has as many rounds of the same steps as the tree of a path may have leaves. A pixel takes
-//! part until all its paths have been followed. Only the device knows which pixels remain, so the host records every possible round.
+//! part until all its paths have been followed. The host cannot determine which pixels remain, so it records every possible round.
 //!
 //! *Practice.* A round without pixels consists of a few empty indirect dispatches, which take a few microseconds each, mostly on the host.
 

@@ -106,7 +106,7 @@ impl Values<'_> {
         }
     }
 
-    /// Adds the light that clamping removed from the tile's samples, and in the last round the remaining light.
+    /// Adds the light that clamping removed from the tile's samples and, in the last round, the remaining light.
     pub(super) fn add_clamped(&self, round: &Round, sums: &mut Clamped) {
         let (samples, light) = (self.pixels.column("clamped_samples"), self.pixels.column("clamped_light"));
         let (Some(samples), Some(light)) = (samples, light) else { return };

@@ -81,7 +81,7 @@ pub enum Shadows {
     Straight,
     /// Along the law's paths from the light to the surface, found by the shooting method.
     Shooting,
-    /// By a grid of voxels, into which paths from the light under the law are traced (G95 §6).
+    /// A grid of voxels stores the paths from the light under the law (G95 §6).
     Grid,
 }
 

@@ -1,4 +1,4 @@
-// The momentum of light around a black hole with spin and charge. With U = (v, −1), which v = dx/dτ makes null, it is gU. Where no observer
+// The momentum of light around a black hole with spin and charge. With U = (v, −1), which v = dx/dτ makes null, it is gU. If no observer
 // can be static, light may have two speeds in one direction; the length of v selects one.
 
 // Returns the momentum of light that leaves x into the past with velocity v, up to a positive factor.

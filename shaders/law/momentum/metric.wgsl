@@ -1,4 +1,4 @@
-// The momentum of light in a custom metric. With U = (v, −1), which v = dx/dτ makes null, it is gU. Where no observer can be static, light
+// The momentum of light in a custom metric. With U = (v, −1), which v = dx/dτ makes null, it is gU. If no observer can be static, light
 // may have two speeds in one direction; the length of v selects one.
 
 // Returns the momentum of light that leaves x into the past with velocity v, up to a positive factor.

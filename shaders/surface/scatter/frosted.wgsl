@@ -1,4 +1,4 @@
-// Transparent objects with a rough surface (thesis 2.2.3): the Fresnel reflectance chooses between the two rays of the smooth surface, and
+// Transparent objects with a rough surface (T 2.2.3): the Fresnel reflectance chooses between the two rays of the smooth surface, and
 // the chosen one is spread around its direction. A ray that would be on the wrong side is dropped, and its light is lost.
 
 const FROSTED: u32 = 6u;

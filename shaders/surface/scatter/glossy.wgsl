@@ -1,4 +1,4 @@
-// Glossy reflection (thesis 2.2.3): rays are spread around the mirror direction. Rays that would be below the surface are dropped, and
+// Glossy reflection (T 2.2.3): rays are spread around the mirror direction. Rays that would be below the surface are dropped, and
 // their light is lost: under uniform light such a ball is as bright as the fraction of the lobe above the surface, which is half at its
 // limb.
 

@@ -1,4 +1,4 @@
-// Draws directions from a cosᵉ lobe around an axis (thesis 2.2.3): p = (e + 1)/(2 pi) cosᵉ a, of which Eq. 8 of the thesis is the
+// Draws directions from a cosᵉ lobe around an axis (T 2.2.3): p = (e + 1)/(2 pi) cosᵉ a, of which T Eq. 8 is the
 // unnormalized form.
 
 // Returns two unit vectors perpendicular to a third, which is the last column (Duff et al. 2017).

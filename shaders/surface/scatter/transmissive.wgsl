@@ -24,7 +24,7 @@ fn scatter_transmissive(material: Material, surface: Surface, end: PathPoint, in
 }
 
 // Snell's law and the Fresnel equations, in the velocity v = n d: the component along the surface is constant, and the normal component of
-// the transmitted ray follows from the new length (thesis Eqs. 2–7).
+// the transmitted ray follows from the new length (T Eqs. 2–7).
 struct Refraction {
     // The reflectance for unpolarized light: 1 at total internal reflection, 0 if the indices agree.
     reflectance: Real,

@@ -1,6 +1,6 @@
 // Finds paths from a light to a position under any law, by the Newton method. The unknowns are two angles about a first direction; the
 // offset of the path from the position, perpendicular to the path at its nearest point, must vanish. Two neighboring paths give the
-// derivative. Each of several first directions may lead to a path of its own: straight; past each source of the law on its other side, at
+// derivative. Each of several first directions may lead to a different path: straight; past each source of the law on its other side, at
 // three distances from it; or, if the law has no source, to the left, right, above and below; and all around, for `bentray light`.
 
 struct Aim {
@@ -12,7 +12,7 @@ var<uniform> aims: array<Aim, AIM_COUNT>;
 
 const NEWTON_STEPS: u32 = 12u;
 const SHORTENINGS: u32 = 4u;
-// After this many steps a path that is still off by HOPELESS of the distance between light and position is abandoned.
+// After this many steps, a path that is still off by HOPELESS of the distance between light and position is abandoned.
 const HOPELESS_AT: u32 = 5u;
 const HOPELESS: Real = 0.2;
 // The largest step, the angle between neighbors, the one between the rays of the bundle, and the one within which paths are equal, in

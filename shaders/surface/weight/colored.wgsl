@@ -1,5 +1,5 @@
 // The throughput of a ray: the factor of the light at its end, as seen by the camera. It is the product of the fractions that surfaces
-// reflect or transmit and, since L/n² is constant along a ray (thesis Eq. 14), the squared index at the camera divided by the squared index
+// reflect or transmit and, since L/n² is constant along a ray (T Eq. 14), the squared index at the camera divided by the squared index
 // at the end of the ray. However often the index changes on the way, only those two matter.
 
 var<storage, read_write> pixel_weight: array<vec3f>;

@@ -151,7 +151,7 @@ impl Graph {
                 let square = self.product(id, id);
                 self.difference(one, square)
             }
-            // Where there is no derivative, 0/0 is not a number.
+            // If there is no derivative, the result is 0/0, which is not a number.
             Function::Abs if self.is_strict() => self.quotient(a, id),
             Function::Abs => self.call(Function::Sign, a),
             Function::Sign => self.constant(0.0),

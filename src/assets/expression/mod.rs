@@ -38,7 +38,7 @@ use std::fmt;
 use std::ops::Range;
 use tree::{Name, Tree};
 
-/// The names in formulas of one sort, besides functions.
+/// The names in formulas of one sort, except functions.
 #[derive(Debug)]
 struct Language {
     names: &'static [Name],

@@ -1,4 +1,4 @@
-//! From text to tree, by recursive descent:
+//! Parses text to a tree, by recursive descent:
 //!
 //! ```text
 //! sum     = product { ("+" | "-") product }

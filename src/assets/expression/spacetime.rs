@@ -9,7 +9,7 @@ use super::tokens::wrong;
 use super::tree::{Name, Tree};
 use super::{FormulaError, Function, Graph, Id, Language, Node, Variable, parse};
 
-/// The built-in names besides x, y, z and t, with their formulas; for angles, the sine and the cosine are computed without the angle.
+/// The built-in names except x, y, z and t, with their formulas; for angles, the sine and the cosine are computed without the angle.
 const KNOWN: [(&str, &str, Option<[&str; 2]>); 8] = [
     ("rho", "sqrt(x^2 + y^2)", None),
     ("theta", "2 * atan(rho / (r + z))", Some(["rho / r", "z / r"])),

@@ -130,7 +130,7 @@ impl Gltf {
             .map_err(|error| FormatError(format!("{of} refers to `{}`, which cannot be read: {error}", path.display())))
     }
 
-    /// Returns the existing files that contain its buffers, besides this one.
+    /// Returns the existing files that contain its buffers, except this one.
     pub fn others(&self) -> impl Iterator<Item = PathBuf> {
         let named = self.root.buffers.iter().filter_map(|buffer| self.beside(buffer.uri.as_ref()?));
         named.filter(|path| path.is_file())

@@ -48,7 +48,7 @@ impl Job {
         self.render.format
     }
 
-    /// Reads the scene, and determines what each part renders.
+    /// Reads the scene, and determines the content of each part.
     pub(super) fn load(&self) -> Result<Loaded<'_>, Error> {
         self.render.check_for_farm()?;
         let film = Film::new(&self.render.scene, self.render.changes.overrides()?);
@@ -136,7 +136,7 @@ fn words() -> Vec<String> {
     typed(3, &OWN, &ALONE)
 }
 
-/// Returns the command line that renders a part; the shell or the queue knows it as `part`.
+/// Returns the command line that renders a part; `part` is its name in the shell or the queue.
 pub(super) fn render_words(program: &str, part: &str) -> Vec<String> {
     let own = [program.to_owned(), "render".to_owned()];
     own.into_iter().chain(words()).chain(["--part".to_owned(), part.to_owned()]).collect()

@@ -41,7 +41,7 @@ impl Arguments {
         self.paths(target).into_iter().map(|path| Ok(open(&path, &settings(&path))?)).collect()
     }
 
-    /// Returns `true` if a target's files exist and match what would be rendered now; otherwise prints the reason for each differing file.
+    /// Returns `true` if a target's files exist and match the current settings; otherwise prints the reason for each differing file.
     pub(super) fn is_finished(
         &self,
         scene: &Scene,

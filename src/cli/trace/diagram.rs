@@ -133,7 +133,7 @@ impl DiagramOptions {
 }
 
 impl Diagram<'_> {
-    /// Measures, prints and draws what the options request.
+    /// Measures, prints and draws the requested values.
     pub fn finish(self, scene: &Scene, plot: Option<&Path>, attractor: Option<Curve>) -> Result<(), Error> {
         let foci = if self.options.focus { self.foci() } else { Vec::new() };
         let turns = self.options.windings.map(|about| (about, self.turns(about)));

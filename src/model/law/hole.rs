@@ -1,7 +1,7 @@
 //! Non-rotating black holes, optionally with charge and a cosmological constant.
 //!
 //! *Theory.* ds² = −A dt² + dr²/A + r² dΩ² with A = 1 − 2M/r + Q²/r² − Λr²/3. Paths follow from the Binet equation u″ + u = 3Mu² − 2Q²u³. Λ
-//! cancels there, and affects only what observers measure.
+//! cancels there, and affects only the measurements of observers.
 
 use glam::{DMat4, DVec3, DVec4};
 

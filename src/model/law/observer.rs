@@ -1,4 +1,4 @@
-//! Observers, who define the directions of a camera and their motion.
+//! Observers, which define the directions of a camera and their motion.
 //!
 //! Four-vectors have three spatial components followed by the time component.
 

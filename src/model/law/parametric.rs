@@ -45,7 +45,7 @@ static FORM: ClosedForm = ClosedForm {
     leaps: false,
     is_line: false,
     meets_obstacles: false,
-    // `NODES` of the ray in one step, each held against `VISITS` of the objects.
+    // `NODES` of the ray in one step, each compared with `VISITS` of the objects.
     start: Start::Own,
 };
 

@@ -29,7 +29,7 @@ pub const VISIBLE: RangeInclusive<f64> = 380.0..=730.0;
 /// The helium d line, at which glasses are specified, in nanometers.
 pub const D_LINE: f64 = 587.561_8;
 
-/// B and C of common glasses, as in the refractiveindex.info database: N-BK7 and N-SF11 from Schott's catalogue; silica (Malitson 1965,
+/// B and C of common glasses, as in the refractiveindex.info database: N-BK7 and N-SF11 from Schott's catalog; silica (Malitson 1965,
 /// checked to 6.7 µm by Tan 1998), water at 20 °C (Daimon and Masumura 2007) and diamond (Peter 1923, measured from 226 to 644 nm).
 static GLASSES: [(&str, Sellmeier); 5] = [
     (

@@ -1,6 +1,6 @@
 //! Tests that read written images.
 
-#![allow(clippy::float_cmp)] // what is stored exactly is compared exactly
+#![allow(clippy::float_cmp)] // values that are stored exactly are compared exactly
 
 use std::{collections::BTreeMap, fs, io::BufReader, path::Path};
 

@@ -14,7 +14,7 @@ use crate::scene::{Animation, Branches, Light, Precision, Scene, Segment, Shadow
 
 /// All properties of a scene and its output that determine the modules of its program and the passes that run it.
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
-#[expect(clippy::struct_excessive_bools, reason = "each answers a question of its own")]
+#[expect(clippy::struct_excessive_bools, reason = "each is a separate question")]
 pub struct Features {
     /// The origin of the rays and the use of their results.
     pub purpose: Purpose,
@@ -115,7 +115,7 @@ pub struct Features {
     pub is_about_center: bool,
     /// The last integration step of a path ends where the path ends.
     pub ends_with_steps: bool,
-    /// That last step is stored to compute the path's end.
+    /// The last step is stored to compute the path's end.
     pub keeps_last: bool,
     /// The module that ends rays from below a horizon, if the camera may be there.
     pub below_part: Option<&'static str>,
