@@ -30,7 +30,7 @@ const PATTERNS: &[Pattern] = &[
     anywhere(
         "what",
         r"\b[Ww]hat [a-z]",
-        r"\b[Ww]hat (?:is|are) the\b|\b[Pp]rints? what (?:to|will)\b|\bWhat does [^.?]*\?",
+        r"\b[Ww]hat (?:(?:is|are) the|to|next|you (?:need|want))\b|\b[Pp]rints? what will\b|\bwhat [^.]* looks? like\b|\bWhat [^.?]*\?",
         "the noun: \"the capture region\"",
     ),
     anywhere("who", r"(?:^|[.;:] )(?:Who|Whoever|Whatever|Whose)\b", r"Who[^.]*\?", "a subject or a verb first"),
@@ -43,11 +43,16 @@ const PATTERNS: &[Pattern] = &[
     opening("question", r"^[^.:]*\?", "", "\"Returns `true` if\""),
     anywhere(
         "where",
-        r"(?:^|[.;:] )Where (?:a|an|the|no|there|it|they|one|that|nothing|some|several|all|any|both|only|two|light|pixels|each|neither|none)\b",
+        r"(?:^|[.;:] )Where (?:a|an|the|no|there|it|they|one|that|nothing|some|several|all|any|both|only|light|pixels|each|neither|none)\b",
         "",
         "\"if\" or \"when\"",
     ),
-    anywhere("lie", r"\b(?:lies|lie|stands|stand)\b", r"\bstands? for\b", "\"is\", \"is stored\", \"is located\""),
+    anywhere(
+        "lie",
+        r"\b(?:lies|lie|stands|stand)\b",
+        r"\bstands? (?:for|up)\b|\bstands on the road\b|\blies on its side\b",
+        "\"is\", \"is stored\", \"is located\"",
+    ),
     anywhere(
         "say",
         r"\bsays?\b|\b(?:is|are|was|were) (?:said|told|let be|looked at|asked for)\b",
@@ -63,7 +68,7 @@ const PATTERNS: &[Pattern] = &[
     ),
     anywhere(
         "name's",
-        r"\b(?:Doppler|Beer|Lambert|Ellis|Kerr|Dormand|Prince|Schwarzschild|Newton|Fresnel|Lindquist|Thorne|Kutta|Phong|Luneburg)['’]s\b|\blight['’]s speed\b",
+        r"\b(?:Doppler|Beer|Lambert|Ellis|Kerr|Dormand|Prince|Schwarzschild|Fresnel|Lindquist|Thorne|Kutta|Phong|Luneburg)['’]s\b|\blight['’]s speed\b",
         "",
         "\"Doppler shift\", \"Ellis wormhole\", \"speed of light\"",
     ),
@@ -84,8 +89,8 @@ const PATTERNS: &[Pattern] = &[
     anywhere("for", r", for (?:it|they|there|nothing|he|we|what)\b", "", "because"),
     anywhere(
         "he",
-        r"\b(?:[Ww]ho|he|him|his|himself)\b",
-        r"\b(?:observers?|users?|people|readers?|authors?|anyone|everyone),? who\b|Who[^.]*\?",
+        r"\b(?:of|to|by|for|as|than|from|past|with|at|and|or) who\b|\b(?:he|him|his|himself)\b",
+        "",
         "\"an observer who\", \"they\"",
     ),
     anywhere(
@@ -110,11 +115,11 @@ const PATTERNS: &[Pattern] = &[
     anywhere("alike", r"\balike\b", "", "identical, \"in the same way\""),
     anywhere("in place of", r"\bin place of\b", "", "\"instead of\""),
     anywhere("mend", r"\b(?:bears?|borne|mend|mends|mended|shall|[Ww]hoever)\b", "", "tolerate, fix, must"),
-    anywhere("of its own", r"\bof (?:its|their|your|our|one's) own(?:$|[.,;:)])", "", "custom, separate, local"),
+    anywhere("of its own", r"\bof (?:its|their|our|one's) own(?:$|[.,;:)])", "", "custom, separate, local"),
     anywhere(
         "round",
-        r"\bround (?:a|an|the|it|its|them|black|charged|holes?|another|both|each other)\b|\b(?:go|goes|going|went|ways?|all|turns?|bent|driven|moves?|orbits?|paths?) round\b",
-        r"\b(?:each|first|last|next|this|a) round a\b|\ba round hole\b",
+        r"\bround (?:a|an|the|it|its|them|black|charged|another|both|each other)\b|\b(?:go|goes|going|went|ways?|all|turns?|bent|driven|moves?|orbits?|paths?) round\b",
+        r"\b(?:each|first|last|next|this|a) round a\b",
         "around, orbits",
     ),
     anywhere(
@@ -123,7 +128,7 @@ const PATTERNS: &[Pattern] = &[
         "",
         "the authors and the year",
     ),
-    anywhere("thesis", r"\b[Tt]he thesis\b", r"\b[Tt]he thesis by\b", "the author"),
+    anywhere("thesis", r"\b[Tt]he thesis\b", r"\b[Tt]he thesis (?:by|of)\b", "the author"),
     anywhere("lamp", r"\b[Ll]amps?\b", "", "light, emitter"),
     anywhere(
         "British spelling",

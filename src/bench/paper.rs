@@ -151,7 +151,10 @@ fn shadow(bench: &Bench) -> Result<Table, RenderError> {
     let methods = [
         ("Euler, h = 0.15", "method = \"euler\"\nstep = 0.15"),
         ("Euler, 300 steps through the scene", "method = \"euler\"\nstep = 0.3333333333"),
-        ("Euler doubling (Weiskopf et al. 2004), 1e-3", "method = \"euler-doubling\"\ndoubling = \"paper\"\ntolerance = 1e-3"),
+        (
+            "Euler doubling (Weiskopf et al. 2004), 1e-3",
+            "method = \"euler-doubling\"\ndoubling = \"paper\"\ntolerance = 1e-3",
+        ),
         ("RK4, h = 0.1 r", "method = \"rk4\"\nscaled_step = 0.1"),
     ];
     let caption = format!("Edge of the shadow from r = 50 M, whose impact parameter is {CRITICAL:.3} M");
