@@ -144,6 +144,10 @@ const PATTERNS: &[Pattern] = &[
     ),
 ];
 
+/// Files in which a pattern is correct, with the reason.
+const EXCEPTIONS: &[(&str, &str, &str)] =
+    &[("manual/pages/tutorials/blender_room.md", "lamp", "the lamp is furniture")];
+
 /// A text for people, without code: `_` replaces every byte between backticks, and a space every line break.
 struct Prose {
     text: String,
@@ -377,6 +381,9 @@ fn prose_is_plain_english() {
         for prose in proses.into_iter().map(Prose::without_code) {
             for search in &searches {
                 let Pattern { name: fault, instead, .. } = search.pattern;
+                if EXCEPTIONS.iter().any(|(file, pattern, _)| (*file, *pattern) == (name.as_str(), *fault)) {
+                    continue;
+                }
                 for hit in search.hits(&prose) {
                     let (line, words) = (prose.line(hit.start), &prose.text[hit]);
                     wrong.push(format!("{name}:{line}: \"{words}\" ({fault}): write {instead}"));
