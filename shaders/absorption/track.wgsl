@@ -51,6 +51,7 @@ fn take_piece(filter_at: Filter, x: Real3, depth: vec4f) {
 // True if no other branch has added the emission of media on this stretch.
 var<private> glow_counts: bool;
 
+// Records whether volumetric emission counts on this path, before a surface splits the ray.
 fn note_glow() {
     glow_counts = glow_is_new();
 }

@@ -99,7 +99,7 @@ impl LightGridData {
         sums.iter().map(|sum| Vec4::from_array(sum.map(|n| (n * scale) as f32))).collect()
     }
 
-    /// Prepares the field for path guiding: fills empty voxels from their neighbors and empty subvoxels from their voxel, and adds
+    /// Prepares the grid for path guiding: fills empty voxels from their neighbors and empty subvoxels from their voxel, and adds
     /// isotropic fluence (`voxels`, `parts`), because directions estimated from few paths are uncertain.
     #[must_use]
     pub fn guiding(mut self, voxels: f32, parts: f32) -> Self {
