@@ -25,7 +25,7 @@ fn at_infinity(law: &str, method: &str) -> Scene {
     scene(&format!("[law]\n{}\n{}\n{rays}", lines(kind), lines(&rest)))
 }
 
-/// The angle from the direction +x that a ray was sent in, towards the centre below it.
+/// The angle from the direction +x that a ray was sent in, towards the center below it.
 fn turned(ray: &Traced) -> f64 {
     -ray.v[1].atan2(ray.v[0])
 }
@@ -62,7 +62,7 @@ fn deflections_at_infinity() {
     }
 }
 
-/// Scattering by an inverse-square centre has a closed form, 2 atan(M / (b v²)): what verification measures of a coarse method is
+/// Scattering by an inverse-square center has a closed form, 2 atan(M / (b v²)): what verification measures of a coarse method is
 /// what the closed form says.
 #[test]
 fn measured_errors_are_the_true_ones() {

@@ -26,7 +26,7 @@ fn with_status() -> RenderSettings {
     RenderSettings { choice: Choice { layers: vec![Layer::Status], ..Choice::default() }, ..RenderSettings::default() }
 }
 
-/// From pixel centre to pixel centre: a panorama as large as the sky, from anywhere in straight space, is that sky.
+/// From pixel center to pixel center: a panorama as large as the sky, from anywhere in straight space, is that sky.
 #[test]
 fn a_panorama_of_a_bare_sky_is_the_sky() {
     let text = "[camera]\nkind = \"panorama\"\nposition = [1, 2, 3]\nlook_at = [1, 2, -9]\n\
@@ -48,7 +48,7 @@ fn a_panorama_of_a_bare_sky_is_the_sky() {
             }
         }
         println!("{fov:?}: off by {off:e} of {brightest}");
-        // Places in the sky err by 4e-7/π of its width (the arc tangent's), and a texel's neighbour may differ by all there is;
+        // Places in the sky err by 4e-7/π of its width (the arc tangent's), and a texel's neighbor may differ by all there is;
         // the sky is stored in 16 bits.
         let place = size[0] as f32 * (4e-7 / std::f32::consts::PI + 6.0 * f32::EPSILON);
         assert!(off <= brightest * (2.0 * place + 0.5 / 1024.0), "{fov:?}: off by {off}");

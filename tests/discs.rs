@@ -148,7 +148,7 @@ fn matter_falls_in_from_the_innermost_stable_orbit() {
     }
 }
 
-/// The colour of CIE's illuminant A and of daylight's temperature, as near as sums of lobes come; and brightness by Rayleigh and Jeans.
+/// The color of CIE's illuminant A and of daylight's temperature, as near as sums of lobes come; and brightness by Rayleigh and Jeans.
 #[test]
 fn black_bodies_have_their_colours() {
     for (kelvin, x, y) in [(2856.0, 0.4476, 0.4074), (6500.0, 0.3135, 0.3236), (15000.0, 0.2637, 0.2674)] {
@@ -179,7 +179,7 @@ fn hottest(spin: f64) -> f64 {
     orbits.iter().map(|orbit| orbit.flux).fold(0.0, f64::max)
 }
 
-/// Rays as they cross a disc, in the order of tracing: where, by how much their light is shifted and what colour it has. The third time
+/// Rays as they cross a disc, in the order of tracing: where, by how much their light is shifted and what color it has. The third time
 /// some cross far out and at a grazing angle, of which the sensitivity does not know: that is for 64 bits.
 #[test]
 fn light_of_discs_is_shifted_as_series_say() {

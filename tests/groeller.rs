@@ -5,7 +5,7 @@ use glam::DVec3;
 
 use crate::support::{gpu, scene};
 
-/// Two centres and a line, by every fall-off.
+/// Two centers and a line, by every fall-off.
 const SOURCES: &str = "[[law.sources]]\nposition = [0, 1, 0]\nstrength = S1\n\
     [[law.sources]]\nposition = [2, -2, 1]\nstrength = S2\nfalloff = { cubic = 4 }\n\
     [[law.sources]]\nkind = \"line\"\nposition = [-2, -3, 0]\ndirection = [0, 0.3, 1]\nstrength = S3\n";

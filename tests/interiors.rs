@@ -199,7 +199,7 @@ fn spirals_meet_what_is_in_their_way() {
     let stepped = traced(&text("method = \"dormand-prince\"\ntolerance = 1e-9\nprecision = \"f64\""), &rays);
     let mut met = 0;
     for ((ray, a), b) in rays.iter().zip(&closed).zip(&stepped) {
-        // What winds into the centre by steps never gets there.
+        // What winds into the center by steps never gets there.
         let b_status = if b.status == Status::Exhausted { Status::Captured } else { b.status };
         assert_eq!((a.status, a.object), (b_status, b.object), "{ray:?}");
         met += u32::from(a.status == Status::Hit);
@@ -210,7 +210,7 @@ fn spirals_meet_what_is_in_their_way() {
     assert!(met > 15, "{met}");
 }
 
-/// Rays in the limits of the formulas: through the exact centre, along the axis, tangent, from the surface itself.
+/// Rays in the limits of the formulas: through the exact center, along the axis, tangent, from the surface itself.
 #[test]
 fn rays_in_their_limits() {
     let lens = |medium: &str| {

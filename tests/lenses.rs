@@ -102,7 +102,7 @@ fn steps_lead_through_lenses() {
     hold(&leaving, STEPPED, 2e-5, 40.0);
 }
 
-/// Rays that wind into the centre of an inverse-r sphere are captured there, those too that its surface has turned back.
+/// Rays that wind into the center of an inverse-r sphere are captured there, those too that its surface has turned back.
 #[test]
 fn spirals_into_a_centre_are_captured() {
     let lenses = lenses();

@@ -66,7 +66,7 @@ fn glass_about_a_lamp_keeps_its_light() {
     assert!((all - 1.0).abs() < 0.02, "{all}");
 }
 
-/// About a centre: as shooting has it, and twice as near with half the voxels' size.
+/// About a center: as shooting has it, and twice as near with half the voxels' size.
 #[test]
 fn grids_approach_what_shooting_finds() {
     let law = "[law]\nkind = \"sources\"\n[[law.sources]]\nposition = [1, -0.5, 0.6]\nstrength = 0.4\n";

@@ -47,7 +47,7 @@ fn paths_are_where_closed_forms_say() {
 const CENTRE: &str = "[[law.sources]]\nposition = [0, 2, 0]\nstrength = 0.6\ncapture_radius = 0.1\n";
 const HARDLY: &str = "[[law.sources]]\nposition = [0, -30, 0]\nstrength = 1e-9\n";
 
-/// A wall behind a centre, a ball before it.
+/// A wall behind a center, a ball before it.
 fn lit(law: &str, shadows: &str, falloff: &str) -> String {
     format!(
         "[image]\nsize = [64, 48]\n[camera]\nposition = [0, 8, 20]\nlook_at = [0, 0, 0]\nfov = 50\n[law]\n{law}\n\
@@ -83,7 +83,7 @@ fn straight_light_is_shot_straight() {
     }
 }
 
-/// About one centre the plane's own search and Newton's method, which a second centre of no strength asks for, agree.
+/// About one center the plane's own search and Newton's method, which a second center of no strength asks for, agree.
 #[test]
 fn both_ways_to_shoot_agree() {
     let law = |sources: &[&str]| {

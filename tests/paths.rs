@@ -118,7 +118,7 @@ fn a_guide_changes_the_noise_and_not_the_light() {
     }
 }
 
-/// Whatever cuts a path into passes, and wherever a pixel's neighbours are.
+/// Whatever cuts a path into passes, and wherever a pixel's neighbors are.
 #[test]
 fn every_schedule_gives_the_same_bits() {
     let mut scene = scene(&room("kind = \"straight\"", [true, true], true).replace("samples = 256", "samples = 3"));

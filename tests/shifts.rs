@@ -138,7 +138,7 @@ fn light_reddens_as_space_grows() {
     }
 }
 
-/// Where colours are taken for black bodies', a sky and a surface in the colour of one look like one of g times its temperature.
+/// Where colors are taken for black bodies', a sky and a surface in the color of one look like one of g times its temperature.
 #[test]
 fn hues_shift_as_those_of_black_bodies() {
     for (kelvin, kept) in [(3000.0, false), (5000.0, false), (9000.0, false), (5000.0, true)] {

@@ -23,7 +23,7 @@ fn the_sky_lights_as_sums_over_it_say() {
     sun(folder.path(), "top.png", [16, 16], [5, 8], EVEN);
     sun(folder.path(), "side.png", [16, 16], [99, 0], EVEN);
     let even = ((f64::from(EVEN) / 255.0 + 0.055) / 1.055).powf(2.4);
-    // Of a pixel's tent, between its middle and its neighbours'.
+    // Of a pixel's tent, between its middle and its neighbors'.
     let tent = |x: f64| (1.0 - x.abs()).max(0.0);
     let (steps, sun) = (400, 1.0 - even);
     let around_pixel = || {

@@ -19,7 +19,7 @@ fn furthest(a: &[Traced], b: &[Traced]) -> f64 {
     a.iter().zip(b).map(|(a, b)| a.distance_to(b).max(a.angle_to(b))).fold(0.0, f64::max)
 }
 
-/// The same lens by the built-in part and as a formula, about a centre of its own, in both precisions and by several methods.
+/// The same lens by the built-in part and as a formula, about a center of its own, in both precisions and by several methods.
 #[test]
 fn a_lens_as_a_formula_is_the_lens() {
     let lens = "{ kind = \"luneburg\", radius = 1, center = [0.1, 0.2, 0] }";

@@ -107,7 +107,7 @@ fn bytes_that_are_no_text_are_named_with_their_line() {
     ran.fails(1, &["rays.csv: line 3: this byte is not valid UTF-8; save the file as UTF-8"]);
 }
 
-/// All numbers of an EXR's colour, and whether a PNG is black all over.
+/// All numbers of an EXR's color, and whether a PNG is black all over.
 fn seen(folder: &Folder) -> (Vec<f32>, bool) {
     let image = read_first_rgba_layer_from_file(
         folder.path("a.exr"),

@@ -7,7 +7,7 @@ use image::{ImageFormat, Rgb, RgbImage};
 
 use super::Folder;
 
-/// A sign of 2 × 2 units that shows a picture of four colours and needs no light, and a grey wall at its right, 1 unit behind it, under a
+/// A sign of 2 × 2 units that shows a picture of four colors and needs no light, and a gray wall at its right, 1 unit behind it, under a
 /// lamp of 4π candela before it. The camera is 5 units before the sign.
 fn file() -> Vec<u8> {
     let mut png = Cursor::new(Vec::new());
@@ -80,7 +80,7 @@ fn a_file_becomes_a_scene_that_shows_it() {
             assert!((found - expected).abs() < 0.11, "{x} {y}: {found} {expected}");
         }
     }
-    // 4 at the distance 2 is 1, on grey 0.5, and a tenth of that always. Half a pixel away the light comes slantwise: cos⁴ of it.
+    // 4 at the distance 2 is 1, on gray 0.5, and a tenth of that always. Half a pixel away the light comes slantwise: cos⁴ of it.
     let wall = at(2.4, 0.0, -1.0);
     assert!(wall.iter().all(|value| (value - 0.55).abs() < 0.01), "{wall:?}");
     let scene = Scene::load(&folder.path("new.toml"), &[]).unwrap();

@@ -6,7 +6,7 @@ const HOLE: &str = "[law]\nkind = \"schwarzschild\"\n[rays]\nbounding_sphere = {
     [materials.m]\ndiffuse = [1, 1, 1]\n[[objects]]\nshape = \"sphere\"\ncenter = [-3, 3.5, 1]\nradius = 0.2\nmaterial = \"m\"\n\
     [[lights]]\nkind = \"point\"\nposition = [12, 0, 0]\nshadows = \"curved-rays\"\n";
 
-/// Round a hole a light has an image on either side; an inverse-square centre that repels leaves a place without any.
+/// Round a hole a light has an image on either side; an inverse-square center that repels leaves a place without any.
 #[test]
 fn paths_from_lights_are_listed() {
     let folder = Folder::with(HOLE);

@@ -170,14 +170,14 @@ fn only_transparent_corners_have_alpha() {
             assert!(!(15.2..=16.8).contains(&rho) || [0.0, 0.25, 0.5, 0.75, 1.0].contains(&alpha), "{x} {y}: {alpha}");
             assert!(!(rho > 16.8 && alpha != 0.0 || rho < 15.2 && alpha != 1.0), "{x} {y}: {alpha}");
             assert_eq!(f64::from(png.get_pixel(x, y).0[3]), (f64::from(alpha) * 255.0).round(), "{x} {y}");
-            // EXR has colour multiplied by alpha, which is what black corners leave.
+            // EXR has color multiplied by alpha, which is what black corners leave.
             assert_eq!(pixel.0[..3], black.1.get_pixel(x, y).0, "{x} {y}");
             if alpha == 1.0 && bits == 8 {
                 assert_eq!(png.get_pixel(x, y).0[..3], black.0.get_pixel(x, y).0, "{x} {y}");
             }
             if alpha > 0.0 && alpha < 1.0 {
                 partly += 1;
-                // On the rim a PNG shows the sky's own colour.
+                // On the rim a PNG shows the sky's own color.
                 let sky = [0.2, 0.3, 0.4].map(|c| (srgb(c) * 255.0).round() as u8);
                 assert_eq!(png.get_pixel(x, y).0[..3], sky, "{x} {y}");
             }

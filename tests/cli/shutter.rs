@@ -4,7 +4,7 @@ use exr::prelude::read_first_rgba_layer_from_file;
 
 use super::{BALL, Folder};
 
-/// A frame's colours, row by row.
+/// A frame's colors, row by row.
 fn colors(folder: &Folder, name: &str, width: usize) -> Vec<[f32; 3]> {
     let image = read_first_rgba_layer_from_file(
         folder.path(name),

@@ -147,7 +147,7 @@ fn quarter_turns() {
     }
 }
 
-/// The whole picture, its middle and its neighbourhood, edges and corners.
+/// The whole picture, its middle and its neighborhood, edges and corners.
 fn points(seed: u64) -> Vec<[Vec4; 1]> {
     let mut random = Random::new(seed);
     let mut all: Vec<[f64; 2]> = (0..3000).map(|_| [random.within(-1.0, 1.0), random.within(-1.0, 1.0)]).collect();

@@ -146,7 +146,7 @@ fn values_and_gradients_of_formulas() {
         values.report();
         slopes.report();
     }
-    // At the centre no gradient has a direction, and none is not a number.
+    // At the center no gradient has a direction, and none is not a number.
     let centre = with_formulas("real/f32", CASES.map(|case| case.0)).run::<1, 8>(&gpu(), &body, &[[Vec4::ZERO]]);
     for k in [0, 1, 2, 7] {
         assert_eq!(wide(centre[0][k]), DVec3::ZERO, "{}", CASES[k].0);

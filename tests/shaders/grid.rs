@@ -26,7 +26,7 @@ fn probe(real: &str) -> Probe {
         .numbers("index_samples", &all)
 }
 
-/// Through b and c, with the slopes there of the neighbours' chords: the value at t and the slope.
+/// Through b and c, with the slopes there of the neighbors' chords: the value at t and the slope.
 fn hermite([a, b, c, d]: [f64; 4], t: f64) -> [f64; 2] {
     let (m, n) = ((c - a) / 2.0, (d - b) / 2.0);
     let value = (2.0 * t.powi(3) - 3.0 * t * t + 1.0) * b

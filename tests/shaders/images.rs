@@ -22,7 +22,7 @@ fn texel(image: f64, p: [f64; 2]) -> DVec3 {
     DVec3::new((p[0] * 5.0 + p[1] * 3.0) % 8.0, p[0] + 10.0 * p[1], image)
 }
 
-/// Texel centres lie at halves; between them the four around blend.
+/// Texel centers lie at halves; between them the four around blend.
 fn sample(image: f64, uv: DVec2, repeats: bool) -> DVec3 {
     let p = uv * DVec2::from(SIZE) - 0.5;
     let base = p.floor();
@@ -37,7 +37,7 @@ fn sample(image: f64, uv: DVec2, repeats: bool) -> DVec3 {
         + (at(0.0, 1.0) * (1.0 - f.x) + at(1.0, 1.0) * f.x) * f.y
 }
 
-/// Neighbouring texels differ by 36 at most (across the seam, in the second colour).
+/// Neighboring texels differ by 36 at most (across the seam, in the second color).
 const STEEPEST: f64 = 36.0;
 
 #[test]
@@ -46,7 +46,7 @@ fn bilinear_samples() {
     let mut inputs: Vec<[Vec4; 1]> = (0..4000)
         .map(|_| [Vec4::new(random.within(-3.0, 4.0) as f32, random.within(-3.0, 4.0) as f32, 0.0, 0.0)])
         .collect();
-    // Texel centres, borders and corners.
+    // Texel centers, borders and corners.
     for i in -8..22 {
         for j in -5..13 {
             inputs.push([Vec4::new(i as f32 / 14.0, j as f32 / 8.0, 0.0, 0.0)]);

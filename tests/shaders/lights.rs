@@ -205,7 +205,7 @@ fn pictures_on_surfaces() {
     let mut inputs = Vec::new();
     for i in 0..16_u8 {
         for j in 0..4_u8 {
-            // The texels' centres, for a picture repeated 4 by 2 times over the surface.
+            // The texels' centers, for a picture repeated 4 by 2 times over the surface.
             inputs.push([Vec4::new(
                 (f32::from(i) + 0.5) / 16.0,
                 1.0 - (f32::from(j) + 0.5) / 4.0,

@@ -91,7 +91,7 @@ fn gradient(x: DVec3) -> DVec3 {
     DVec3::from_array(DVec3::AXES.map(|e| (index(x + h * e) - index(x - h * e)) / (2.0 * h)))
 }
 
-/// Bounds on the errors of the index and of its gradient at a distance r from the centre.
+/// Bounds on the errors of the index and of its gradient at a distance r from the center.
 ///
 /// A lattice point errs by 8 U of its size (the product with the rotation, three terms). Along an axis the noise changes by at
 /// most 2 · 15/8 a cell (three axes: 6.5), and that slope by 2 · 10/√3 and 4 · (15/8)² across (the Hessian's norm: 45). Its own

@@ -83,7 +83,7 @@ fn steps_by_curvature() {
     for [_, v] in &mut inputs {
         *v *= Vec3::splat(random.log(0.5, 2.0) as f32).extend(1.0);
     }
-    // Straight through the centre the ray does not turn at all.
+    // Straight through the center the ray does not turn at all.
     inputs.extend([1.0, -1.0].map(|s| [row(Vec3::X * 7.0, 0.0), row(Vec3::X * s, 0.0)]));
     let radial = inputs.len() - 2;
     let values = vec![("turn", Float(TURN)), ("eta", Float(ETA))];

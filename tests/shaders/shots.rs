@@ -1,4 +1,4 @@
-//! Paths from a light to a place about one centre, against conics in closed form.
+//! Paths from a light to a place about one center, against conics in closed form.
 
 use std::f64::consts::PI;
 
@@ -54,7 +54,7 @@ fn conics(m: f64, s: DVec3, x: DVec3) -> Vec<Conic> {
     found
 }
 
-/// A thousand places and lights about an attracting centre and a repelling one: as many paths, and each where it is.
+/// A thousand places and lights about an attracting center and a repelling one: as many paths, and each where it is.
 #[test]
 fn shots_about_a_centre_are_conics() {
     for m in [1.0, -0.6] {
@@ -97,7 +97,7 @@ fn shots_about_a_centre_are_conics() {
         for ((s, x), shots) in pairs.iter().zip(out.chunks(4)) {
             let mut wanted = conics(m, *s, *x);
             let found: Vec<_> = shots.iter().filter(|shot| shot[0].w == 1.0).collect();
-            // Where two paths are about to become one, or a place is nearly behind the centre, roundings decide.
+            // Where two paths are about to become one, or a place is nearly behind the center, roundings decide.
             let angle = (x.normalize() - s.normalize()).length().min((x.normalize() + s.normalize()).length());
             if angle < 0.02 || wanted.iter().any(|(_, _, spread, _)| *spread < 0.2) {
                 continue;

@@ -1,4 +1,4 @@
-//! Force centres: every fall-off, and sums of several.
+//! Force centers: every fall-off, and sums of several.
 
 use bentray::model::Value::{Float, Vec3 as V3};
 use glam::{DVec3, Vec4};
@@ -10,7 +10,7 @@ use crate::support::{
     probe::{Probe, about_a_point},
 };
 
-/// A centre: position, strength, and what its fall-off has besides (a radius, μ); all exact in f32.
+/// A center: position, strength, and what its fall-off has besides (a radius, μ); all exact in f32.
 type Centre = (DVec3, f64, f64);
 
 const INVERSE_SQUARE: [Centre; 3] = [
@@ -108,7 +108,7 @@ fn probe() -> Probe {
 #[test]
 fn falloffs_one_by_one_and_summed() {
     let mut inputs = phases(21, [0.01, 1e4], [1e-3, 1e3]);
-    // Near and on the rims of the cubic centres, and near every centre.
+    // Near and on the rims of the cubic centers, and near every center.
     for (_, (position, _, extra)) in centres() {
         for d in super::awkward_directions() {
             for r in [extra * (1.0 - 1e-6), extra, extra * (1.0 + 1e-6), 1e-3, 1e-2] {
@@ -156,7 +156,7 @@ fn falloffs_one_by_one_and_summed() {
     }
 }
 
-/// The cubic fall-off has no direction at its centre, where it must still be finite; outside R it is exactly 0.
+/// The cubic fall-off has no direction at its center, where it must still be finite; outside R it is exactly 0.
 #[test]
 fn cubic_at_its_centre_and_outside() {
     let inputs =

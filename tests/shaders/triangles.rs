@@ -1,4 +1,4 @@
-//! Triangles: no gaps between neighbours, and hits.
+//! Triangles: no gaps between neighbors, and hits.
 
 use bentray::model::Value::{Uint, Uint4, Vec3 as V3};
 use bentray::program::constant;

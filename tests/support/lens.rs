@@ -28,7 +28,7 @@ pub struct Lens {
     pub onward: Option<DVec3>,
     /// Of the surface there.
     pub exit_reflectance: Option<f64>,
-    /// The angle about the centre inside, in radians.
+    /// The angle about the center inside, in radians.
     pub swept: Option<f64>,
     /// What one rounding of the input to 32 bits does to position and direction; 0 where it was not looked into.
     pub sensitivity: [f64; 2],
@@ -41,7 +41,7 @@ pub enum Fate {
     Exit,
     /// It is reflected totally at the first surface that it meets from inside.
     Total,
-    /// It winds into the centre.
+    /// It winds into the center.
     Centre,
 }
 

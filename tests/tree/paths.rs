@@ -72,16 +72,16 @@ fn rays_pass_lenses_as_the_table_says() {
     }
 }
 
-/// The angle from the ray's start to its end about a centre, the way that it sets out; but for whole turns.
+/// The angle from the ray's start to its end about a center, the way that it sets out; but for whole turns.
 fn angle(start: &Ray, end: &Ray, center: DVec3) -> f64 {
     let from = (start.x - center).normalize();
     let ahead = start.d.reject_from_normalized(from).normalize_or_zero();
     let to = end.x - center;
-    // Rays through the centre come out opposite.
+    // Rays through the center come out opposite.
     if ahead == DVec3::ZERO { std::f64::consts::PI } else { to.dot(ahead).atan2(to.dot(from)) }
 }
 
-/// Points on the way into the centre: there, an opaque ball has its surface.
+/// Points on the way into the center: there, an opaque ball has its surface.
 #[test]
 fn spirals_go_through_their_points() {
     let lenses = lenses();

@@ -130,7 +130,7 @@ fn clear_objects_vanish_in_a_white_sky() {
     assert!(cut.windows(2).all(|pair| pair[0] < 0.5 * pair[1]), "{cut:?}");
 }
 
-/// A mirror shows what its mirror image would see, in its own colour; two mirrors that face each other never end, and stay
+/// A mirror shows what its mirror image would see, in its own color; two mirrors that face each other never end, and stay
 /// black.
 #[test]
 fn mirrors_show_the_mirrored_scene() {

@@ -127,7 +127,7 @@ fn inverse_r() {
         parts: &["medium/inverse_r"],
         index: "{ kind = \"inverse-r\", center = [0.5, -0.25, 1], k = 4 }",
         center: CENTER,
-        // Much nearer to the centre x − c has no digits of its own in f32.
+        // Much nearer to the center x − c has no digits of its own in f32.
         reach: [1e-5, 1e8],
         regular: false,
         want: |x, u| {

@@ -38,9 +38,9 @@ struct Case {
     /// As a scene has it; every number is exact in f32.
     index: &'static str,
     center: DVec3,
-    /// How near to the centre and how far from it the index is tried.
+    /// How near to the center and how far from it the index is tried.
     reach: [f64; 2],
-    /// Is it as regular in its centre as elsewhere?
+    /// Is it as regular in its center as elsewhere?
     regular: bool,
     /// At a place, with roundings of a size.
     want: fn(DVec3, f64) -> Want,

@@ -5,7 +5,7 @@ use bentray::scene::{LightSource, Material, Pattern, Picture, Scene, Shadows, Sk
 use glam::{DVec2, DVec3};
 use std::f64::consts::PI;
 
-/// The colour of a material at (u, v).
+/// The color of a material at (u, v).
 pub fn color(scene: &Scene, material: &Material, uv: DVec2) -> DVec3 {
     shown(scene, &material.color, uv)
 }

@@ -79,14 +79,14 @@ impl<'s> Tracer<'s> {
         Self { scene, bodies: scene.objects.iter().map(Body::new).collect() }
     }
 
-    /// The picture, row by row from the top: what each pixel's centre sees.
+    /// The picture, row by row from the top: what each pixel's center sees.
     pub fn render(&self) -> Vec<DVec3> {
         let [width, height] = self.scene.image.size;
         assert_eq!(self.scene.image.samples, 1, "the tracer takes one sample");
         (0..width * height).map(|i| self.pixel(i % width, i / width)).collect()
     }
 
-    /// What the centre of one pixel sees.
+    /// What the center of one pixel sees.
     pub fn pixel(&self, column: u32, row: u32) -> DVec3 {
         let camera = self.scene.camera.as_ref().expect("a camera");
         let Pinhole { fov } = camera.projection.downcast().expect("the tracer knows the pinhole camera alone");

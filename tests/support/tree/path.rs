@@ -125,7 +125,7 @@ impl Path {
         }
     }
 
-    /// Is `x` so deep in a centre that the path can be given up?
+    /// Is `x` so deep in a center that the path can be given up?
     pub fn has_ended(&self, x: DVec3) -> bool {
         matches!(self, Self::Spiral { center, start, .. } if x.distance(*center) < 1e-7 * *start)
     }
