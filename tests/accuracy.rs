@@ -1,5 +1,5 @@
-//! What is promised of accuracy: tables at infinity, measured errors that are the true ones, methods that are chosen well, and
-//! nothing that goes wrong in silence.
+//! Tests the promises on accuracy: tables at infinity, measured errors that are correct, methods that are chosen well, and no
+//! error that passes unnoticed.
 
 use std::f64::consts::{PI, TAU};
 use std::path::Path;

@@ -1,4 +1,4 @@
-//! Pictures of cameras that are no window: fisheyes, panoramas and pairs of views.
+//! Tests the images of cameras other than the pinhole: fisheyes, panoramas and stereo pairs.
 
 #![allow(clippy::float_cmp)] // shares of four samples are exact
 

@@ -1,4 +1,4 @@
-//! Laws that a scene names as a file of WGSL: as good as built-in ones, and clear about what is wrong with them.
+//! Tests laws in a WGSL file of the scene: they are as good as built-in laws, and their errors are clear.
 
 use std::path::Path;
 

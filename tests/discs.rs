@@ -1,4 +1,4 @@
-//! Matter that goes round in thin discs, against closed forms and answers to 15 digits.
+//! Tests matter that orbits in thin disks, against closed forms and values with 15 digits.
 
 use bentray::model::{black_body, matter};
 use bentray::program::{Choice, Layer, Schedule};

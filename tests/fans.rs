@@ -1,5 +1,5 @@
-//! Surfaces by a law of the user's own: as mirrors where that says so, as nothing where it sends rays straight on, and with all the light that
-//! its weights make.
+//! Tests surfaces by a custom law: as mirrors if the law reflects, without effect if it sends rays straight ahead, and with
+//! all the light of its weights.
 
 use bentray::render::{RenderSettings, Renderer};
 use glam::DVec3;

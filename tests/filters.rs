@@ -1,4 +1,4 @@
-//! What media take from light on its way, and add to it: against quadrature along paths in closed form.
+//! Tests the absorption and emission of media against quadrature along paths in closed form.
 
 use bentray::program::{Choice, RaySkipping, Schedule};
 use bentray::render::{RenderSettings, Renderer, Rendering};

@@ -1,4 +1,5 @@
-//! What a pixel sees of pictures and patterns: means over it, wherever light is bent, and the same in every schedule and tile.
+//! Tests the texture filtering of pixels: means over the footprint, wherever light is bent, and the same in every schedule
+//! and tile.
 
 use std::sync::Arc;
 

@@ -1,5 +1,6 @@
-//! Furnaces: within walls that all glow alike every pixel is as bright as they are, under every law that loses no light and with every
-//! medium: Le/(1 − albedo) times n² where the camera is over n² where the walls are. Not on average: every path brings the same light.
+//! Tests furnaces: between walls of equal emission every pixel is as bright as the walls, under every law that loses no light
+//! and with every medium: Le/(1 − albedo) times n² at the camera divided by n² at the walls. This holds for every path, not
+//! only on average.
 
 use bentray::assets::Formula;
 use bentray::render::{RenderSettings, Renderer, Status};

@@ -1,7 +1,7 @@
-//! Whatever reads a file bears every file of `tests/fuzz/corpus`, and those that are a few changes away from one: without a panic, soon, and
-//! in little memory.
+//! Every reader of files accepts or rejects each file of `tests/fuzz/corpus` and slightly changed copies: without a panic,
+//! quickly, and with little memory.
 //!
-//! The corpus has valid files of each kind, and all that `make fuzz` found.
+//! The corpus has valid files of each kind, and all files that `make fuzz` found.
 
 #[path = "fuzz/src/bounds.rs"]
 mod bounds;

@@ -1,4 +1,5 @@
-//! The figures of scenes/thesis and scenes/groller: every command of their pages, rendered small and compared with a picture that was looked at.
+//! Tests the figures of scenes/thesis and scenes/groller: every command of their pages, rendered small and compared with an
+//! approved image.
 
 use std::path::{Path, PathBuf};
 

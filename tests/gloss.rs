@@ -1,4 +1,4 @@
-//! Lobes about the mirror's direction and the refracted one: what is kept of them, against integrals.
+//! Tests the lobes around the mirror direction and the refracted direction against integrals.
 
 use std::f64::consts::PI;
 

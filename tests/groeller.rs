@@ -1,4 +1,4 @@
-//! G95's own ways to follow a ray: his iteration as it is printed, and the law by arc length that it comes to.
+//! Tests the two methods of G95: the iteration as printed, and the law by arc length that it approximates.
 
 use bentray::render::{RenderSettings, Status, Traced, trace};
 use glam::DVec3;

@@ -1,7 +1,8 @@
 //! Imports run one way: between top-level modules, and between the files of a folder.
 //!
-//! A module is a file, or a folder with all that is in it. `super::x`, `crate::a::b` and names that a folder hands on by `pub use` count as
-//! imports of the file that has them; what a folder's own `mod.rs` says is the folder's, and its files may ask for it.
+//! A module is a file, or a folder with all its files. `super::x`, `crate::a::b` and names that a folder re-exports by `pub
+//! use` count as imports of the file that contains them; the declarations in the `mod.rs` of a folder belong to the folder,
+//! and its files may import them.
 
 use std::collections::{BTreeMap, BTreeSet};
 

@@ -1,4 +1,4 @@
-//! Meshes that are kept once are met where their copies are, and a walk through them stops and goes on as any other.
+//! Tests mesh instances: rays hit every copy, and a traversal stops and resumes like any other.
 
 use std::f64::consts::{PI, TAU};
 use std::fmt::Write as _;

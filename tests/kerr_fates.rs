@@ -1,4 +1,5 @@
-//! What becomes of light round holes with spin and charge: shadows and their edges, and what nobody may say wrong in silence.
+//! Tests the ends of rays around black holes with spin and charge: shadows and their edges, and no wrong result without a
+//! warning.
 
 use bentray::model::camera::observer;
 use bentray::model::law::KerrNewman;

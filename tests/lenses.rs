@@ -1,7 +1,7 @@
-//! The renderer's rays through media inside objects, against answers to 15 digits.
+//! Tests rays through media inside objects, against values with 15 digits.
 //!
-//! A traced ray goes on in air after the object, to the bound: the tables' rays are extended to there in 64 bits, and what
-//! one rounding of the input does to a position grows by what it does to the direction, times the way.
+//! A traced ray continues in air after the object, up to the bounding sphere. The rays of the tables are extended to it in 64
+//! bits, and the effect of one input rounding on a position grows by its effect on the direction, times the distance.
 
 use std::collections::BTreeMap;
 

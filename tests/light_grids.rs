@@ -1,4 +1,4 @@
-//! Grids of light directions: what lies in their voxels, against closed forms and against shooting.
+//! Tests photon grids: the light in their voxels, against closed forms and against the shooting method.
 
 use bentray::gpu::LightGridData;
 use bentray::program::{Choice, RaySkipping, Schedule};

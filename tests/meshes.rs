@@ -1,4 +1,4 @@
-//! Meshes: the hierarchy against brute force, walls that nothing tunnels through, walks that go on in the next pass.
+//! Tests meshes: the hierarchy against brute force, walls without leaks, and traversals that continue in the next pass.
 
 use std::fmt::Write as _;
 use std::path::Path;

@@ -1,4 +1,4 @@
-//! Ambient light that things near a place shut out, against projected areas in closed form.
+//! Tests ambient occlusion against projected areas in closed form.
 
 use bentray::program::{Choice, Schedule};
 use bentray::render::{RenderSettings, Renderer, Rendering};

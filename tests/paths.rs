@@ -1,4 +1,4 @@
-//! Paths from surface to surface: furnaces, lamps against closed forms, and the same light whatever is aimed at.
+//! Tests path tracing: furnaces, emitters against closed forms, and the same light with every kind of light sampling.
 
 use bentray::program::{Choice, Layer, RaySkipping, Schedule};
 use bentray::render::{Plane, RenderSettings, Renderer, Rendering, Status, Window};

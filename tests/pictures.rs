@@ -1,4 +1,4 @@
-//! Whole pictures: what they cost on the device, tiles, sampling, and a few references.
+//! Tests whole images: their cost on the device, tiles, sampling, and a few references.
 
 use std::path::Path;
 use std::process::Command;

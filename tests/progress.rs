@@ -1,4 +1,4 @@
-//! What a renderer reports of its progress.
+//! Tests the progress that a renderer reports.
 
 use std::cell::RefCell;
 use std::time::Duration;

@@ -345,8 +345,16 @@ fn sentence(number: usize, literal: &str) -> Prose {
     prose
 }
 
+/// Returns the lines of a file's first comment.
+fn module_docs(text: &str) -> String {
+    text.lines().take_while(|line| line.starts_with("//!")).map(|line| format!("{line}\n")).collect()
+}
+
 fn files(folder: &Path, found: &mut Vec<PathBuf>) {
     for entry in folder.read_dir().unwrap().map(|entry| entry.unwrap().path()) {
+        if entry.ends_with("target") {
+            continue;
+        }
         if entry.is_dir() {
             files(&entry, found);
         } else {
@@ -359,7 +367,7 @@ fn files(folder: &Path, found: &mut Vec<PathBuf>) {
 fn prose_is_plain_english() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
     let mut paths = vec![root.join("README.md"), root.join("CONTRIBUTING.md"), root.join("manual/SUMMARY.md")];
-    for folder in ["src", "shaders", "scenes", "examples", "manual/pages"] {
+    for folder in ["src", "shaders", "scenes", "examples", "manual/pages", "tests"] {
         files(&root.join(folder), &mut paths);
     }
     paths.sort();
@@ -369,7 +377,11 @@ fn prose_is_plain_english() {
     for path in &paths {
         let name = path.strip_prefix(root).unwrap().display().to_string().replace('\\', "/");
         let read = || std::fs::read_to_string(path).unwrap();
+        let is_test = name.starts_with("tests/");
         let proses = match path.extension().and_then(|extension| extension.to_str()) {
+            // Of tests, only the documentation of modules is checked so far.
+            Some("rs") if is_test => code(&module_docs(&read()), false),
+            _ if is_test => continue,
             Some("md") => markdown(&read()),
             Some("toml") => toml(&read()),
             Some("wgsl") => code(&read(), false),

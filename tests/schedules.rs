@@ -1,6 +1,6 @@
-//! All schedules, with masks and without, give the same picture to the last bit.
+//! All schedules, with masks and without, give bit-identical images.
 //!
-//! The binary is run, a process for each picture: what is compared is what users get.
+//! The binary runs in a separate process for each image, so the comparison covers the output that users get.
 
 use std::path::{Path, PathBuf};
 use std::process::Command;

@@ -1,4 +1,4 @@
-//! Light of the sky's picture on paths: what of it is aimed at, and that it is as much as sums over the picture say.
+//! Tests the light of the environment map in path tracing: the sampled part, and its total against sums over the image.
 
 use std::f64::consts::PI;
 use std::path::Path;

@@ -1,4 +1,4 @@
-//! Light round holes with spin and charge, against answers to 15 digits and against what must be so.
+//! Tests light around black holes with spin and charge, against values with 15 digits and against exact relations.
 
 use bentray::assets::Transform;
 use bentray::measure::drift;

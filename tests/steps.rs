@@ -1,4 +1,5 @@
-//! What the rays of a dozen scenes take: a loss of efficiency shows as steps, on a busy machine too.
+//! Tests the number of steps of the rays of a dozen scenes: a loss of efficiency appears as more steps, on a busy machine
+//! too.
 
 use std::fmt::Write as _;
 use std::path::Path;

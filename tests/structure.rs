@@ -1,4 +1,4 @@
-//! The structure holds what the documentation promises of it.
+//! Tests the promises of the documentation on the structure of the code.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};

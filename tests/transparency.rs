@@ -1,4 +1,4 @@
-//! A transparent sky: alpha is one minus what would be seen of it, however the picture is made.
+//! Tests a transparent sky: alpha is one minus the visible fraction of the sky, for every kind of image.
 
 #![allow(clippy::float_cmp)] // of a ball each sample is covered or not
 

@@ -1,4 +1,4 @@
-//! What the guide says is seen from inside a warp bubble.
+//! Tests the claims of the manual about the view from inside a warp bubble.
 
 use std::path::Path;
 

@@ -1,5 +1,5 @@
-//! Scenes that are wrong: the message has the place, the offending text and what would be right; the exit code is 1, and the
-//! old picture is still there.
+//! Tests invalid scenes: the message has the location, the offending text and a remedy, the exit code is 1, and the old image
+//! remains.
 
 use super::{BALL, Folder};
 

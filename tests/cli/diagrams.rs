@@ -1,4 +1,4 @@
-//! `bentray trace --plot`: ray diagrams, and what is measured in them.
+//! Tests `bentray trace --plot`: ray diagrams, and the measurements in them.
 
 use super::tables::{HEADER, Rows, table};
 use super::{BALL, Folder};

@@ -1,4 +1,4 @@
-//! `farm`: what it writes for queues does what the queue would have it do.
+//! Tests `farm`: the scripts that it writes for queues run as a queue would run them.
 
 use std::process::Command;
 

@@ -1,4 +1,4 @@
-//! Films: their frames are the stills, whatever the format, and a film that was stopped goes on.
+//! Tests videos: their frames equal the still images in every format, and an interrupted video continues.
 
 use std::fs::File;
 use std::io::BufReader;

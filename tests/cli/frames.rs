@@ -1,4 +1,4 @@
-//! `--frames`: each is the still that its values make, and all run what was compiled for the first.
+//! Tests `--frames`: each frame equals the still image of its values, and all frames use the program compiled for the first.
 
 use super::{BALL, Folder};
 

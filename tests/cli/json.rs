@@ -1,4 +1,4 @@
-//! `--json`: what scripts read is what people are told.
+//! Tests `--json`: scripts and people get the same values.
 
 use std::collections::BTreeSet;
 

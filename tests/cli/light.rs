@@ -1,4 +1,4 @@
-//! `bentray light`, and what is said of lights that light nothing.
+//! Tests `bentray light`, and the warnings about lights without effect.
 
 use super::Folder;
 

@@ -1,4 +1,4 @@
-//! Whoever stops reading the messages, or has no room for them, gets the picture all the same.
+//! Tests closed or full message streams: the image is written in any case.
 
 use std::fs::File;
 use std::process::Stdio;

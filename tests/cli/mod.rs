@@ -1,4 +1,4 @@
-//! The command line as its users meet it: the program itself, run in a folder of its own.
+//! Tests the command line as users see it: the program itself, run in a temporary folder.
 
 #![allow(clippy::float_cmp)] // numbers that are exact by design are compared as such
 

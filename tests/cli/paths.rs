@@ -1,4 +1,4 @@
-//! What commands say of pictures of random paths, and of filters.
+//! Tests the output of commands about path tracing and absorption.
 
 use super::Folder;
 

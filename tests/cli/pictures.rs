@@ -1,4 +1,4 @@
-//! `bentray render`: the files decode to what was asked for, the same every time, and stderr sums up what was done.
+//! Tests `bentray render`: the files decode to the requested image, identically in every run, and stderr has a summary.
 
 use exr::prelude::{FlatSamples, MetaData, read_first_flat_layer_from_file};
 use image::{ColorType, DynamicImage, ImageReader, Rgb32FImage};

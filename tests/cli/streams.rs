@@ -1,4 +1,4 @@
-//! Standard input and output in place of files, readers that leave early, and what is written to standard error.
+//! Tests standard input and output instead of files, readers that stop early, and the text on standard error.
 
 use std::io::{BufRead, BufReader, Read, Write};
 use std::process::Stdio;

@@ -1,4 +1,4 @@
-//! Where a camera's rays start and where they point.
+//! Tests the starts and directions of a camera's rays.
 
 use bentray::model::Value::{Float, Vec2, Vec3 as V3};
 use bentray::program::constant;

@@ -1,4 +1,5 @@
-//! Step control by doubling: what each rule does with a step, and with the next; and the last step under every control.
+//! Tests step control by doubling: the effect of each rule on a step and on the next one, and the last step under every
+//! control.
 
 use bentray::model::Value::{Float, Vec3 as V3};
 use glam::{DVec3, Vec4};

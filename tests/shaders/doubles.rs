@@ -1,8 +1,8 @@
-//! The elementary functions of `real/f64.wgsl`, against those of the host, which err by less than one unit in the last place
-//! (2.2e-16 of the result).
+//! Tests the elementary functions of `real/f64.wgsl` against the functions of the host, which err by less than one unit in
+//! the last place (2.2e-16 of the result).
 //!
-//! Each bound is what one rounding of the last operation (1.1e-16), the rounding of what is added to it last, and the host's
-//! error make together.
+//! Each bound is the sum of one rounding of the last operation (1.1e-16), the rounding of the last term added, and the error
+//! of the host.
 
 use glam::Vec4;
 

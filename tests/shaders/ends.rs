@@ -1,4 +1,4 @@
-//! Where rays start and stop: the static observer's frame, the bounding sphere, capture.
+//! Tests the starts and ends of rays: the static observer's frame, the bounding sphere, capture.
 
 use bentray::model::Value::{Float, Vec3 as V3};
 use glam::{DVec3, Vec3, Vec4};

@@ -1,4 +1,4 @@
-//! Formulas as WGSL: the functions that they call, what is generated for them, and what becomes of places without a value.
+//! Tests formulas as WGSL: the functions that they call, the generated code, and positions without a value.
 
 use bentray::program::{Analysis, Choice, Features, plan};
 use glam::{DVec3, Vec4};

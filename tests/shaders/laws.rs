@@ -1,4 +1,4 @@
-//! Laws that are formulas of their own: both Schwarzschild forms, flows of both orders, straight lines.
+//! Tests laws with closed formulas: both Schwarzschild forms, flows of both orders, straight lines.
 
 use bentray::model::Value::{Float, Vec3 as V3};
 use glam::{DVec3, Vec3, Vec4};

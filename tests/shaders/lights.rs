@@ -1,4 +1,4 @@
-//! What surfaces send back: patterns, the Blinn–Phong answer, sums over lights.
+//! Tests the light that surfaces reflect: patterns, the Blinn–Phong model, sums over lights.
 
 use bentray::model::Value::{Float, Uint, Vec2 as V2, Vec3 as V3};
 use bentray::program::constant;

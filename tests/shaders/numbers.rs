@@ -1,4 +1,4 @@
-//! Functions of numbers: the arc tangent, the status word, what is finite, what no compiler sees through.
+//! Tests functions of numbers: the arc tangent, the status word, finite values, and values that compilers cannot simplify.
 
 use glam::Vec4;
 

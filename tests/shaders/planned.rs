@@ -1,4 +1,4 @@
-//! Step control that knows a step's size before it is taken: fixed, scaled, and by curvature.
+//! Tests step control with a step size that is fixed before the step: fixed, scaled, and by curvature.
 
 use bentray::model::Value::Float;
 use glam::{DVec3, Vec3, Vec4};

@@ -1,7 +1,7 @@
-//! Numbers of 64 bits through a probe's rows of f32, to the last bit.
+//! Passes 64-bit numbers through the f32 rows of a probe without loss.
 //!
-//! An f64 is the sum of three f32, of its first 24 bits, the next 24 and the last five. Where f32's range is too small an f32 s
-//! stands by, and the number is s⁸ times as large: powers of two, so that nothing is rounded.
+//! An f64 is the sum of three f32: its first 24 bits, the next 24 and the last five. If the range of f32 is too small, an
+//! additional f32 s scales the number by s⁸. The factors are powers of two, so nothing is rounded.
 
 use bentray::gpu::Gpu;
 use glam::{DVec3, Vec4};

@@ -1,6 +1,7 @@
-//! Vectors that carry a bound on their rounding errors: every operation adds what it can add, and passes on what it was given.
+//! Vectors with a bound on their rounding errors: every operation adds its largest error and passes on the errors of its
+//! inputs.
 //!
-//! To first order in the unit of rounding, which is why [`Rough::bound`] adds one per cent.
+//! The bound is of first order in the unit of rounding, so [`Rough::bound`] adds one per cent.
 
 use glam::DVec3;
 

@@ -1,4 +1,5 @@
-//! Where straight pieces meet spheres, ellipsoids, boxes, cylinders, planes and disks, and where they are inside.
+//! Tests the intersections of straight pieces with spheres, ellipsoids, boxes, cylinders, planes and disks, and the inside of
+//! these shapes.
 
 use bentray::model::Value::{Float, Uint, Vec3 as V3, Vec4 as V4};
 use glam::{DMat3, DQuat, DVec3, DVec4, Vec4};

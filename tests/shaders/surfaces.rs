@@ -1,4 +1,4 @@
-//! What is known of a point on a surface: distance, normal, texture coordinates, owner.
+//! Tests the data of a point on a surface: distance, normal, texture coordinates, owner.
 
 use std::f64::consts::{PI, TAU};
 

@@ -1,13 +1,15 @@
-//! Branches on what is known before a program runs, found in naga's form of it.
+//! Finds branches on values that are fixed before a program runs, in naga's form of the program.
 //!
-//! Every value of a program has an origin: constants (overrides among them), the scene's uniforms, or what a ray, a pixel or a
-//! dispatch makes of them. A value is what its operands are, the latest of them. A variable is what is written to it if that
-//! happens once and at the outermost level of a function, which is how uniforms are copied; a parameter what all calls give, a
-//! result what all returns do. What changes, such as a loop's counter, is a ray's own.
+//! Every value of a program has an origin: constants (overrides among them), the uniforms of the scene, or computations per
+//! ray, pixel or dispatch. The origin of a value is the latest of the origins of its operands. A variable has the origin of
+//! the value written to it, if it is written once and at the outermost level of a function, which is how uniforms are copied.
+//! A parameter has the origin that all calls agree on, and a result the origin that all returns agree on. Any variable that
+//! changes, such as a loop counter, belongs to a ray.
 //!
-//! What is allowed: to ask a part a question whose answer is a constant, `layers_wanted()` of a part that wants none: parts that
-//! stand for a choice answer so, and compilers leave out such a branch. To branch on `frame` and `dispatch`, which tiles and
-//! dispatches write. To count up to a number that the scene fixes. Buffers and textures are a pass's own: other passes write them.
+//! Some branches are allowed. A module may branch on a function with a constant result, such as `layers_wanted()` of a module
+//! without layers: modules for a choice return a constant, and compilers drop such a branch. A branch may read `frame` and
+//! `dispatch`, which tiles and dispatches write. A loop may count up to a number that the scene fixes. Buffers and textures
+//! belong to a pass, because other passes write them.
 
 use std::collections::HashMap;
 

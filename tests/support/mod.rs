@@ -1,4 +1,4 @@
-//! What several topics need: a device, scenes, comparisons.
+//! Tools for several topics: a device, scenes, comparisons.
 
 pub mod branches;
 pub mod lens;

@@ -1,4 +1,4 @@
-//! The recursive tracer itself: what pictures are held against has to be right.
+//! Tests the recursive tracer itself, because it is the reference for images.
 
 mod device;
 mod interfaces;

@@ -1,4 +1,4 @@
-//! Objects in objects: scenes that differ in words but not in what is where look the same.
+//! Tests objects inside objects: different descriptions of the same interiors look the same.
 
 use super::{difference, picture, with_objects};
 

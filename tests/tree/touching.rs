@@ -1,4 +1,4 @@
-//! Objects that touch: one surface between two media, and nothing between glass and what it stands on.
+//! Tests objects that touch: one surface between two media, and none between glass and the object below it.
 
 use super::device::{ROOM, agreement, room};
 use super::{difference, with_objects};

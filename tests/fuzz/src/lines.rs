@@ -1,5 +1,5 @@
-//! The line of source that an instruction comes from, for libFuzzer's `-print_full_coverage=1`, which asks for it by this name.
-//! `make fuzz-lines` counts what it prints.
+//! The source line of an instruction, for libFuzzer's `-print_full_coverage=1`, which calls this function by name. `make
+//! fuzz-lines` counts the printed lines.
 
 use std::ffi::{CStr, c_char, c_int, c_void};
 use std::path::Path;

@@ -1,4 +1,4 @@
-//! Looks for bytes that a reader does not bear: the one that `READER` names.
+//! Searches for bytes on which the reader named by `READER` fails.
 #![no_main]
 
 mod bounds;

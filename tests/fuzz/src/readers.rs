@@ -1,7 +1,8 @@
-//! Everything that reads a file or a formula, as the program calls it: for the fuzzer, and for the tests, which replay what it found.
+//! All readers of files and formulas, as the program calls them: for the fuzzer, and for the tests, which replay its
+//! findings.
 //!
-//! *Idea.* A reader may refuse any bytes, and says why. It neither panics, nor takes long, nor asks for much more memory than its
-//! file has bytes. To add one, add a line to [`READERS`] and a few valid files to `corpus/NAME`.
+//! *Idea.* A reader may reject any bytes with a reason. It neither panics, nor takes long, nor allocates much more memory
+//! than its file has bytes. To add one, add a line to [`READERS`] and a few valid files to `corpus/NAME`.
 
 use std::cell::OnceCell;
 use std::fmt::Display;

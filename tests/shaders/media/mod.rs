@@ -1,7 +1,7 @@
-//! Every medium's index, pull and length, in 32 and in 64 bits, against the same written anew in f64.
+//! Tests the index, pull and length of every medium, in 32 and in 64 bits, against an independent version in f64.
 //!
-//! The pull that is asked for is the index's analytic derivative, and is itself held to central differences of the index. Bounds
-//! count roundings: u is that of the precision.
+//! The tested pull is the analytic derivative of the index, and is compared with central differences of the index. Bounds
+//! count roundings: u is the unit of rounding of the precision.
 
 mod formulas;
 mod noise;

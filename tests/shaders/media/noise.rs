@@ -1,9 +1,4 @@
-//! Noise as the thesis has it: 21 Catmull–Rom splines an octave, each in Hermite's form.
-//!
-//! Within one octave a spline's weights sum, in size, to 5/4 at the most and their derivatives to 3; along three axes the value
-//! stays under 125/64 and a slope under 3 · 25/16, so that the gradient is under 8.2 long, and the Hessian's norm under
-//! 12 · 25/16 + 2 · 9 · 5/4 = 42. With lattice values off by 3u, weights by some 3u and slopes' weights by 8u, and ten roundings
-//! in each sum, the value is off by 90u and the gradient by 220u.
+//! Tests the noise of T §2.4: 21 Catmull–Rom splines per octave, each in Hermite form.
 
 use glam::DVec3;
 

@@ -1,7 +1,7 @@
-//! What a surface between two media does to light.
+//! The effect of a surface between two media on light.
 //!
-//! *Theory.* The part of n d along the surface is the same on both sides (Snell's law as a vector). Light is not polarised:
-//! the reflectance is the mean of Fresnel's two, s across and p in the plane of incidence.
+//! *Theory.* The part of n d along the surface is the same on both sides (Snell's law as a vector). Light is unpolarized: the
+//! reflectance is the mean of the two Fresnel reflectances, s across and p in the plane of incidence.
 
 use glam::DVec3;
 

@@ -1,4 +1,4 @@
-//! What surfaces and the sky send out, in 64 bits.
+//! The light from surfaces and the sky, in 64 bits.
 
 use bentray::model::material::Phong;
 use bentray::scene::{LightSource, Material, Pattern, Picture, Scene, Shadows, Sky};

@@ -1,10 +1,10 @@
-//! Where a ray meets the next surface.
+//! Finds the next intersection of a ray with a surface.
 //!
-//! *Theory.* Lines meet shapes in closed form. Along other paths a shape's level changes its sign, or dips to the other
-//! side and back between two points: the path is cut so finely that it is nearly straight between them, where the level of
-//! a convex shape has one minimum; what is found is bisected until the numbers end.
+//! *Theory.* Lines meet shapes in closed form. Along other paths the level of a shape changes its sign, or dips to the other
+//! side and back between two points. The path is cut so finely that it is nearly straight between them, and the level of a
+//! convex shape has one minimum there; bisection then refines the result until the numbers end.
 //!
-//! Which side of a surface a ray is on is known from where it has been, not asked of a place that lies on the surface.
+//! The side of a surface on which a ray is follows from its path, because a point on the surface does not determine it.
 
 use glam::DVec3;
 

@@ -1,12 +1,11 @@
-//! A ray tracer on the processor, in 64 bits: what a picture with branching rays has to be.
+//! A ray tracer on the CPU, in 64 bits: the reference for images with ray splitting.
 //!
-//! *Theory.* Whitted's recursion: where a surface both reflects and transmits, both rays are followed, with the weights R,
-//! Fresnel's reflectance, and 1 − R. L/n² is kept along a ray, so what is seen at the end counts by (n at the camera)² / (n
-//! at the end)². Paths through media are closed forms or Taylor series; nothing here is shared with the shaders.
+//! *Theory.* Whitted's recursion: if a surface both reflects and transmits, both rays are followed, with the weights R, the
+//! Fresnel reflectance, and 1 − R. L/n² is constant along a ray, so light counts by (n at the camera)² / (n at the end)².
+//! Paths through media are closed forms or Taylor series; nothing here is shared with the shaders.
 //!
-//! *Practice.* For straight space with interiors, and shapes, media and skies as far as a test has needed them: others make
-//! it panic. [`Tracer::picture`] is the picture at one sample a pixel; [`Tracer::next`] and [`Tracer::cross`] follow one
-//! ray.
+//! *Practice.* It supports straight space with interiors, and the shapes, media and skies that a test has needed; others make
+//! it panic. [`Tracer::picture`] is the image at one sample per pixel; [`Tracer::next`] and [`Tracer::cross`] follow one ray.
 
 mod interface;
 mod light;

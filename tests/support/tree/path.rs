@@ -1,7 +1,4 @@
-//! Paths through media, each as a function of a parameter of its own.
-//!
-//! *Theory.* x″ = ∇(n²)/2 with |x′| = n is straight, harmonic, or a parabola where n² is a quadratic form; spirals and
-//! circles are given by their geometry; and where there is no closed form, Taylor's series is summed.
+//! Paths through media, each as a function of a separate parameter.
 
 use bentray::model::medium::{Constant, Fisheye, Gaussian, Ingoing, InverseR, Linear, Luneburg, Rod};
 use bentray::scene::Medium;
