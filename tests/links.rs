@@ -68,7 +68,7 @@ fn anchor(heading: &str) -> String {
 fn every_link_leads_somewhere() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
     let mut files = vec![root.join("README.md"), root.join("CONTRIBUTING.md")];
-    for folder in ["src", "scenes", "shaders"] {
+    for folder in ["manual", "scenes", "shaders"] {
         pages(&root.join(folder), &mut files);
     }
     let read = |path: &PathBuf| (path.canonicalize().unwrap(), links(&std::fs::read_to_string(path).unwrap()));
@@ -86,6 +86,11 @@ fn every_link_leads_somewhere() {
                 let page = file.canonicalize().ok().and_then(|file| all.get(&file));
                 page.is_some_and(|page| page.anchors.contains(anchor))
             };
+            // These chapters of the manual are made when its site is built.
+            let made = ["keys.md", "commands.md"].map(|name| format!("reference/{name}"));
+            if made.iter().any(|made| file.ends_with(made)) || target.contains("reference/table_") {
+                continue;
+            }
             if !file.exists() || !anchor.is_empty() && !has(anchor) {
                 wrong.push(format!("{name}: {target} leads nowhere"));
             }

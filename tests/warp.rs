@@ -70,7 +70,7 @@ fn the_guides_angles_are_those_of_light() {
     let scenes = std::fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("scenes/spacetimes/README.md"));
     let words = scenes.unwrap().replace('\n', " ");
     let star = |seen: f64| Bubble { sigma: 4.0 }.star(seen.to_radians()).0.to_degrees();
-    assert!(words.contains(&format!("seen 40° off the axis stands at {:.1}°", star(40.0))));
+    assert!(words.contains(&format!("seen 40° off the axis is at {:.1}°", star(40.0))));
     assert!(words.contains(&format!("the star {:.1}° off it is seen at 20°", 180.0 - star(160.0))));
 }
 

@@ -138,7 +138,7 @@ pub fn run() -> Result<ExitCode, Error> {
     done.map(|()| ExitCode::SUCCESS)
 }
 
-/// The words that users try for a command or an option, each with its real name.
+/// The words that users try for a command, an option or a layer, each with its real name.
 const RENAMED: &[(&[&str], &str)] = &[
     (&["film", "movie", "encode", "ffmpeg"], "bentray video"),
     (&["assemble", "join", "stitch"], "bentray merge"),
@@ -157,16 +157,24 @@ const RENAMED: &[(&[&str], &str)] = &[
     (&["--resolution", "--width", "--height", "-r"], "--size"),
     (&["--out", "--file"], "--output"),
     (&["--gpu", "--adapter"], "--device"),
+    (&["shift", "doppler", "g"], "--layers redshift"),
+    (&["orders", "rings"], "--layers image_order"),
+    (&["sums"], "--layers accumulated"),
+    (&["spread", "variance", "m2"], "--layers luminance_m2"),
+    (&["error", "stderr", "noise"], "--layers standard_error"),
+    (&["z", "distance"], "--layers depth"),
+    (&["id", "index", "cryptomatte"], "--layers object"),
 ];
 
 /// Prints the help if it was requested, otherwise the usage error; if a scene replaces the command, suggests `render`.
 fn refuse(error: &clap::Error) -> ExitCode {
     // If stderr is closed, nobody can be told.
     let _ = error.print();
-    let unknown = [ContextKind::InvalidArg, ContextKind::InvalidSubcommand].map(|kind| error.get(kind));
+    let unknown = [ContextKind::InvalidArg, ContextKind::InvalidSubcommand, ContextKind::InvalidValue]
+        .map(|kind| error.get(kind));
     for word in unknown.into_iter().flatten() {
         if let Some((_, right)) = RENAMED.iter().find(|(words, _)| words.contains(&word.to_string().as_str())) {
-            tell!("did you mean `{right}`?");
+            tell!("use `{right}`");
         }
     }
     let scene = std::env::args().nth(1).filter(|name| has_extension(name.as_ref(), "toml"));

@@ -53,7 +53,11 @@ const VALUES: &[Case] = &[
     ),
     (
         "[rays]\nbounding_sphere = { radius = 10 }\n[camera]\nposition = [0, 0, 5]\nfov = \"45deg\"\n",
-        &["scene.toml:5:7: expected a number, found the string \"45deg\"", "`fov`: vertical opening angle", "degrees"],
+        &[
+            "scene.toml:5:7: expected a number, found the string \"45deg\"",
+            "`fov` with kind = \"pinhole\": vertical opening angle",
+            "degrees",
+        ],
     ),
     (
         "[rays]\nbounding_sphere = { radius = 10 }\n[[objects]]\nshape = \"sphere\"\nmaterial = [1, 0, 0]\n",

@@ -90,7 +90,7 @@ fn finished_frames_are_known_by_what_made_them() {
         ("--samples 4", "0.exr is rendered again: its `samples` is `1`, not `4`"),
         ("--set output.bit_depth=16", "0.exr is rendered again: its `shown` is `"),
         ("--crop 0,0,4x4", "0.exr is rendered again: its `part` is `0,0,16x12 of 16x12`, not `0,0,4x4 of 16x12`"),
-        ("--layers depth", "0.exr is rendered again: its `layers` is `depth,position,"),
+        ("--layers depth", "0.exr is rendered again: its `layers` is `depth,segments,position,"),
     ] {
         let (rendered, ran) = film(&format!("0 {change}"));
         assert_eq!(rendered, ["0"]);
@@ -136,8 +136,12 @@ fn frames_that_cannot_be_are_refused() {
             1,
             "{frame}.png: a placeholder for the frame number ({frame}, #### or %04d) requires --frames",
         ),
-        ("-o {frame:x}.png --frames 1", 1, "{frame:x}.png: `{frame:x}` is not {frame} or {frame:4}"),
-        ("-o a_{n}.png --frames 1", 1, "a_{n}.png: `{n}` is not {frame} or {frame:4}"),
+        (
+            "-o {frame:x}.png --frames 1",
+            1,
+            "{frame:x}.png: `{frame:x}` is not a valid placeholder: use {frame} or {frame:4}",
+        ),
+        ("-o a_{n}.png --frames 1", 1, "a_{n}.png: `{n}` is not a valid placeholder: use {frame} or {frame:4}"),
         ("-o {frame}.png --frames 3..5", 1, "--frames: there is no frame 5; the frames of the scene are 0..4"),
         ("-o {frame}.png --frames 3..2", 2, "the range `3..2` is descending; use 2..3"),
         ("-o {frame}.png --frames 1 --verify 9", 2, "'--verify <N>'"),

@@ -55,10 +55,10 @@ fn parts_of_other_pictures_are_refused() {
         ("--set rays.method=rk4", "right.exr: its `method` is `rk4, scaled_step"),
         (
             "--set sky.color=[1,0,0]",
-            "right.exr: its `sky.color` is `[1, 0, 0]`, and that of left.exr `[0.2, 0.3, 0.4]`",
+            "right.exr: its `sky.color` is `[1, 0, 0]`, but that of left.exr is `[0.2, 0.3, 0.4]`",
         ),
-        ("--set camera.fov=31", "right.exr: its `camera.fov` is `31`, and that of left.exr nothing"),
-        ("--samples 2", "right.exr: its `samples` is `2`, and that of left.exr `1`"),
+        ("--set camera.fov=31", "right.exr: its `camera.fov` is `31`, but that of left.exr is nothing"),
+        ("--samples 2", "right.exr: its `samples` is `2`, but that of left.exr is `1`"),
         ("--precision f64", "right.exr: its `rays` is `{ method = "),
         ("--set output.exposure=1", "right.exr: its `shown` is `exposure 1 tonemap none bits 8`"),
         ("--crop 10,0,6x12", "whole.exr: the parts leave a gap at column 9, row 0: render it with --crop 9,0,1x12"),

@@ -60,7 +60,7 @@ fn a_render_leaves_its_messages_on_a_terminal_and_nothing_else() {
         // Whatever stood on a line before it was cleared is gone.
         let lines = text.lines().map(|line| line.rsplit("\u{1b}[2K").next().unwrap_or(line));
         let words: Vec<_> = lines.map(|line| line.split([':', ' ']).next().unwrap_or(line)).collect();
-        assert_eq!(words, ["device", "first", "to", "19200"], "{text:?}");
+        assert_eq!(words, ["device", "first", "reproduce", "19200"], "{text:?}");
         assert!(term != "dumb" || !text.contains('\u{1b}'), "{text:?}");
     }
 }

@@ -44,7 +44,7 @@ impl Features {
             ("has_three_slots", self.slots == 3),
             ("resumes", self.suspends && self.schedule != Schedule::Whole),
             ("keeps_counts", self.keeps_counts()),
-            ("keeps_length", self.layers.contains(&Layer::Depth)),
+            ("keeps_length", self.is_picture() && self.layers.contains(&Layer::Depth)),
             ("side_by_side", self.views == Some(StereoLayout::SideBySide)),
             ("top_bottom", self.views == Some(StereoLayout::TopBottom)),
         ];
