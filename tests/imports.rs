@@ -103,7 +103,7 @@ fn imports() -> Imports {
 /// The modules of `src`, in the order in which CONTRIBUTING.md lets them import.
 fn order() -> Vec<String> {
     let text = std::fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/CONTRIBUTING.md")).unwrap();
-    let table = text.lines().skip_while(|line| *line != "| module | what it is |").skip(2);
+    let table = text.lines().skip_while(|line| *line != "| module | contents |").skip(2);
     let rows = table.take_while(|line| line.starts_with('|'));
     rows.map(|row| row.split('`').nth(1).unwrap().to_owned()).collect()
 }

@@ -28,7 +28,7 @@ fn help_prints_every_page_and_the_help_of_every_command() {
         assert_eq!(help.out == shown, page.name != "light", "{}", page.name);
         // A link is a command to type, not brackets and a file.
         let prose: String = shown.split("```").step_by(2).collect();
-        assert!(!prose.contains(".md)"), "{shown}");
+        assert!(!prose.contains("]("), "{shown}");
     }
     assert!(folder.run("help scenes").succeeds().out.contains("`bentray help media`"));
     assert!(folder.run("help accretion").succeeds().out.contains("Luminet's disk (`bentray help luminet`)"));

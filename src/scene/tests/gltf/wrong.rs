@@ -53,7 +53,7 @@ fn what_is_wrong_is_named_as_the_file_names_it() {
         ("/meshes/0/primitives/0/mode", json!(9), "meshes[0].primitives[0] has an invalid `mode`"),
         ("/meshes/0/primitives/0/indices", json!(5), "meshes[0].primitives[0].indices refers to accessors[5]"),
         ("/meshes/0/primitives/0/attributes", json!({}), "meshes[0].primitives[0] has no POSITION"),
-        ("/meshes/0/primitives/0/attributes", json!({ "POSITION": 0, "NORMAL": 1 }), "accessors[1] is of Scalar"),
+        ("/meshes/0/primitives/0/attributes", json!({ "POSITION": 0, "NORMAL": 1 }), "accessors[1] is of type Scalar"),
         ("/nodes/0/mesh", json!(3), "nodes[0] refers to meshes[3], which does not exist"),
         ("/nodes/0", json!({ "mesh": 0, "scale": [1e38, 1, 1], "translation": [0, 0, 0] }), "vertex 1 is at "),
     ] {
