@@ -18,7 +18,7 @@ gallery: device
 
 # The manual as a web site: the example writes its source, mdBook makes the pages, and every link is checked.
 manual:
-	cargo build
+	cargo build --bin bentray --example manual
 	cargo run -q --example manual -- target/debug/bentray target/manual
 	cargo run -q --manifest-path manual/site/Cargo.toml --target-dir target/site -- target/manual
 

@@ -75,6 +75,12 @@ fn joined(folder: &Path, path: &str) -> String {
     joined.display().to_string()
 }
 
+/// Returns the place of a page in the book, from its place in the repository: the first page is at the top, and mdBook calls the page of a
+/// folder its index.
+fn address(path: &str) -> String {
+    path.replace("README.md", "index.md").replace("manual/pages/introduction.md", "index.md")
+}
+
 /// The source of the book: copies of pages and of the files that they link to.
 struct Source {
     folder: PathBuf,
@@ -82,11 +88,20 @@ struct Source {
 }
 
 impl Source {
+    /// Writes a page, and copies the files that it links to.
     fn write(&mut self, path: &str, text: &str) -> Outcome<()> {
         self.copied.insert(path.to_owned());
         let folder = Path::new(path).parent().unwrap_or(Path::new(""));
-        fs::create_dir_all(self.folder.join(folder))?;
-        for (_, target) in links(text) {
+        let to = address(path);
+        let to_folder = Path::new(&to).parent().unwrap_or(Path::new(""));
+        fs::create_dir_all(self.folder.join(to_folder))?;
+        let mut text = text.to_owned();
+        for (_, target) in links(&text) {
+            if to_folder != folder && !target.contains("://") && !target.starts_with('#') {
+                text = text.replace(&format!("]({target})"), &format!("]({})", address(&joined(folder, &target))));
+            } else if target.contains("README.md") {
+                text = text.replace(&format!("]({target})"), &format!("]({})", address(&target)));
+            }
             let file = joined(folder, target.split('#').next().unwrap_or(&target));
             let is_page = Path::new(&file).extension() == Some("md".as_ref());
             let is_file = !target.contains("://") && !target.starts_with('#') && !is_page;
@@ -96,7 +111,7 @@ impl Source {
                 fs::copy(root().join(&file), to)?;
             }
         }
-        fs::write(self.folder.join(path), text)?;
+        fs::write(self.folder.join(to), text)?;
         Ok(())
     }
 
@@ -146,7 +161,7 @@ fn with_tables(summary: &str, keys: &[(String, String)]) -> String {
             continue;
         };
         let (before, _) = line.split_once("](").unwrap_or((line, ""));
-        text.extend([before, "](", &path, ")\n"]);
+        text.extend([before, "](", &address(&path), ")\n"]);
         if path.ends_with("/keys.md") {
             for (path, page) in &keys[1..] {
                 let title = page.lines().next().unwrap_or("").trim_start_matches("# ");

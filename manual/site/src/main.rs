@@ -16,6 +16,7 @@ language = "en"
 src = "src"
 [build]
 build-dir = "html"
+create-missing = false
 [output.html]
 default-theme = "light"
 additional-css = ["manual.css"]
