@@ -176,28 +176,28 @@ fn with_tables(summary: &str, keys: &[(String, String)]) -> String {
 fn key_pages() -> Vec<(String, String)> {
     let pictures = pictures_of_kinds();
     let folder = "manual/pages/reference";
-    let mut overview =
-        "# Scene file\n\nA scene is a TOML file. Each of its tables has a page here.\n\n| table | keys |\n|---|---|\n"
-            .to_owned();
+    let head =
+        "# Scene file\n\nA scene is a TOML file. Each of its tables has a page here.\n\n| table | keys |\n|---|---|\n";
+    let mut overview = head.to_owned();
     let mut found = Vec::new();
     for keys in REFERENCE.chunk_by(|a, b| a.table == b.table) {
         let table = keys[0].table;
         let title = if table.is_empty() { "Top level".to_owned() } else { format!("`[{table}]`") };
         let file = if table.is_empty() { "top_level".to_owned() } else { table.to_lowercase().replace('.', "_") };
-        let names: Vec<String> =
-            keys.iter().map(|key| format!("`{}`", key.key)).collect::<BTreeSet<_>>().into_iter().collect();
+        let names: BTreeSet<String> = keys.iter().map(|key| format!("`{}`", key.key)).collect();
+        let names: Vec<String> = names.into_iter().collect();
         overview.extend(["| [", &title, "](table_", &file, ".md) | ", &names.join(", "), " |\n"]);
-        let mut text = format!("# {title}\n\n");
-        for key in keys {
-            text += &key_section(key);
-        }
+        let mut text = format!("# {title}\n\n| key | value | default | meaning |\n|---|---|---|---|\n");
+        text.extend(keys.iter().map(key_row));
         let shown: Vec<_> = pictures.iter().filter(|((own, ..), _)| own == table).collect();
         if !shown.is_empty() {
-            text += "## Pictures\n\n";
+            text += "\n## Pictures\n\n";
         }
-        for ((_, key, value), (picture, scene)) in shown {
-            let place = format!("`{key} = \"{value}\"`, in [{scene}](../../../{scene})");
-            text.extend([&place, ":\n\n![", value, "](../../../", picture, ")\n\n"]);
+        for ((_, key, value), picture) in shown {
+            let Picture { file, source, .. } = picture;
+            text += &format!(
+                "`{key} = \"{value}\"`, from [{source}](../../../{source}):\n\n![{value}](../../../{file})\n\n"
+            );
         }
         found.push((format!("{folder}/table_{file}.md"), text));
     }
@@ -205,63 +205,84 @@ fn key_pages() -> Vec<(String, String)> {
     found
 }
 
-fn key_section(key: &KeyReference) -> String {
-    let when = if key.when.is_empty() { String::new() } else { format!("Valid with `{}`. ", key.when) };
-    let cell = |text: &str| text.replace('|', "\\|");
-    format!(
-        "## `{}`\n\n{when}{}.\n\n| value | default |\n|---|---|\n| {} | {} |\n\n",
-        key.key,
-        sentence(key.meaning),
-        cell(&key.value),
-        cell(key.default)
-    )
-}
-
-fn sentence(text: &str) -> String {
-    let mut letters = text.chars();
-    letters.next().map_or(String::new(), |first| first.to_uppercase().chain(letters).collect())
+fn key_row(key: &KeyReference) -> String {
+    let when = if key.when.is_empty() { String::new() } else { format!("With `{}`: ", key.when) };
+    let cells = [&*key.value, key.default, &format!("{when}{}", key.meaning)].map(|cell| cell.replace('|', "\\|"));
+    format!("| `{}` | {} |\n", key.key, cells.join(" | "))
 }
 
 /// A kind by its table, key and value.
 type Kind = (String, String, String);
 
-/// Returns a picture, with its scene, for each kind that a scene with a picture has: that of the shortest such scene.
-fn pictures_of_kinds() -> BTreeMap<Kind, (String, String)> {
-    let mut found: BTreeMap<Kind, (usize, String, String)> = BTreeMap::new();
-    for (scene, picture) in pictures_of_scenes() {
-        let Some((text, value)) =
-            read(&scene).ok().and_then(|text| Some((text.clone(), text.parse::<toml::Table>().ok()?)))
-        else {
-            continue;
-        };
+/// A picture of a scene.
+#[derive(Clone)]
+struct Picture {
+    /// The picture's file in the repository.
+    file: String,
+    /// The scene file, or the page of the manual that has the scene.
+    source: String,
+    /// The scene in TOML.
+    scene: String,
+}
+
+/// Returns a picture for each kind that a scene with a picture has: that of the shortest such scene.
+fn pictures_of_kinds() -> BTreeMap<Kind, Picture> {
+    let mut found: BTreeMap<Kind, Picture> = BTreeMap::new();
+    for picture in pictures_of_scenes().into_iter().chain(pictures_of_pages()) {
+        let Ok(value) = picture.scene.parse::<toml::Table>() else { continue };
         let mut kinds = BTreeSet::new();
         collect_kinds("", &toml::Value::Table(value), &mut kinds);
         for kind in kinds {
-            let best = found.get(&kind).map_or(usize::MAX, |(length, ..)| *length);
-            if text.len() < best {
-                found.insert(kind, (text.len(), picture.clone(), scene.clone()));
+            let best = found.get(&kind).map_or(usize::MAX, |best| best.scene.len());
+            if picture.scene.len() < best {
+                found.insert(kind, picture.clone());
             }
         }
     }
-    found.into_iter().map(|(kind, (_, picture, scene))| (kind, (picture, scene))).collect()
+    found
 }
 
-/// Returns the scenes that a picture is kept of, from the commands of the scenes' pages that change no key, with that picture.
-fn pictures_of_scenes() -> Vec<(String, String)> {
-    let folders = ["spacetimes", "thesis", "groller", "paths"].map(|name| format!("scenes/{name}"));
-    let own = folders.iter().flat_map(|folder| {
+/// Returns the name of the PNG that a command renders of a scene as its file describes it: it changes no key that a kind depends on.
+fn plain_render(words: &[String]) -> Option<&str> {
+    let changes = words.iter().zip(&words[1..]).filter(|(flag, _)| *flag == "--set").map(|(_, change)| change);
+    let is_plain = changes.into_iter().all(|change| !change.contains(['"', '{']) && !change.contains("kind"));
+    let output = words.iter().zip(&words[1..]).find(|(flag, _)| *flag == "-o").map(|(_, file)| file)?;
+    (words[0] == "render" && is_plain).then_some(output)
+}
+
+/// Returns the pictures of the scenes' pages.
+fn pictures_of_scenes() -> Vec<Picture> {
+    let mut found = Vec::new();
+    for folder in ["spacetimes", "thesis", "groller", "paths"].map(|name| format!("scenes/{name}")) {
         let text = read(&format!("{folder}/README.md")).unwrap_or_default();
-        let commands: Vec<_> =
-            text.lines().filter_map(|line| line.strip_prefix("    bentray render ")).map(str::to_owned).collect();
-        commands.into_iter().filter_map(move |line| {
-            let words: Vec<&str> = line.split(' ').collect();
-            let is_plain =
-                !line.contains("--set") || line.matches("--set").count() == line.matches("--set image.size").count();
-            let picture = format!("{folder}/pictures/{}", words.get(2)?);
-            (is_plain && root().join(&picture).is_file()).then(|| (format!("{folder}/{}", words[0]), picture))
-        })
-    });
-    own.collect()
+        for line in text.lines().filter_map(|line| line.strip_prefix("    bentray ")) {
+            let words = shlex::split(line).unwrap_or_default();
+            let Some(name) = plain_render(&words) else { continue };
+            let (file, source) = (format!("{folder}/pictures/{name}"), format!("{folder}/{}", words[1]));
+            if let (true, Ok(scene)) = (root().join(&file).is_file(), read(&source)) {
+                found.push(Picture { file, source, scene });
+            }
+        }
+    }
+    found
+}
+
+/// Returns the pictures of the manual.
+fn pictures_of_pages() -> Vec<Picture> {
+    let mut found = Vec::new();
+    for page in pages() {
+        for words in page.commands() {
+            let Some(stem) = plain_render(&words).and_then(|name| name.strip_suffix(".png")) else { continue };
+            let file = format!("manual/pictures/{stem}.jpg");
+            let own = page.files().into_iter().find(|(name, _)| *name == words[1]);
+            let of_page = own.map(|(_, text)| (format!("manual/{}", page.path), text.to_owned()));
+            let scene = of_page.or_else(|| read(&words[1]).ok().map(|text| (words[1].clone(), text)));
+            if let (true, Some((source, scene))) = (root().join(&file).is_file(), scene) {
+                found.push(Picture { file, source, scene });
+            }
+        }
+    }
+    found
 }
 
 fn collect_kinds(table: &str, value: &toml::Value, kinds: &mut BTreeSet<Kind>) {
@@ -273,8 +294,14 @@ fn collect_kinds(table: &str, value: &toml::Value, kinds: &mut BTreeSet<Kind>) {
                 if let (true, toml::Value::String(value)) = (is_choice, value) {
                     kinds.insert((table.to_owned(), key.clone(), value.clone()));
                 }
-                let below = if table == "materials" { "NAME" } else { key };
-                let below = if table.is_empty() { below.to_owned() } else { format!("{table}.{below}") };
+                // A medium and an absorption have one table in the reference, wherever they are in a scene.
+                let below = match (table, &**key) {
+                    (_, "interior" | "medium" | "index") => "medium".to_owned(),
+                    (_, "absorption") => "absorption".to_owned(),
+                    ("materials", _) => "materials.NAME".to_owned(),
+                    ("", key) => key.to_owned(),
+                    (table, key) => format!("{table}.{key}"),
+                };
                 collect_kinds(&below, value, kinds);
             }
         }
