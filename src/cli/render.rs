@@ -304,7 +304,11 @@ pub(super) fn warn(totals: &Totals) {
         (Status::Alive, "were active after the last pass", "this is a bug in bentray; report it"),
         (Status::Exhausted, "reached rays.max_segments", "raise it, or take longer steps"),
         (Status::Stalled, "stalled", "take longer steps, or use --precision f64"),
-        (Status::Failed, "became infinite or undefined", "take shorter steps, or give sources a capture radius"),
+        (
+            Status::Failed,
+            "became infinite or undefined",
+            "take shorter steps, give sources a capture radius, or correct a formula that is undefined there",
+        ),
     ];
     if totals.unfiltered > 0 {
         tell!(
