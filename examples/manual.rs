@@ -195,9 +195,20 @@ fn key_pages() -> Vec<(String, String)> {
         }
         for ((_, key, value), picture) in shown {
             let Picture { file, source, .. } = picture;
-            text += &format!(
-                "`{key} = \"{value}\"`, from [{source}](../../../{source}):\n\n![{value}](../../../{file})\n\n"
-            );
+            let link = format!("[{source}](../../../{source})");
+            text.extend([
+                "`",
+                key,
+                " = \"",
+                value,
+                "\"`, from ",
+                &link,
+                ":\n\n![",
+                value,
+                "](../../../",
+                file,
+                ")\n\n",
+            ]);
         }
         found.push((format!("{folder}/table_{file}.md"), text));
     }
