@@ -8,7 +8,7 @@ use regex_lite::Regex;
 /// A pattern that makes English hard to read.
 struct Pattern {
     name: &'static str,
-    pattern: &'static str,
+    regex: &'static str,
     /// Matches of this around a hit make it correct; empty if every hit is wrong.
     correct: &'static str,
     instead: &'static str,
@@ -16,12 +16,12 @@ struct Pattern {
     opens_docs: bool,
 }
 
-const fn anywhere(name: &'static str, pattern: &'static str, correct: &'static str, instead: &'static str) -> Pattern {
-    Pattern { name, pattern, correct, instead, opens_docs: false }
+const fn anywhere(name: &'static str, regex: &'static str, correct: &'static str, instead: &'static str) -> Pattern {
+    Pattern { name, regex, correct, instead, opens_docs: false }
 }
 
-const fn opening(name: &'static str, pattern: &'static str, correct: &'static str, instead: &'static str) -> Pattern {
-    Pattern { name, pattern, correct, instead, opens_docs: true }
+const fn opening(name: &'static str, regex: &'static str, correct: &'static str, instead: &'static str) -> Pattern {
+    Pattern { name, regex, correct, instead, opens_docs: true }
 }
 
 /// Some patterns are narrow, because wider ones mostly find correct English: "so far", "there is no", "a part of the file", a place
@@ -203,7 +203,7 @@ impl Search {
         let regex = |text: &str| Regex::new(text).unwrap_or_else(|error| panic!("{text}: {error}"));
         let search = |pattern: &'static Pattern| Search {
             pattern,
-            wrong: regex(pattern.pattern),
+            wrong: regex(pattern.regex),
             correct: (!pattern.correct.is_empty()).then(|| regex(pattern.correct)),
         };
         PATTERNS.iter().map(search).collect()
@@ -347,7 +347,7 @@ fn sentence(number: usize, literal: &str) -> Prose {
 
 /// Returns the lines of a file's first comment.
 fn module_docs(text: &str) -> String {
-    text.lines().take_while(|line| line.starts_with("//!")).map(|line| format!("{line}\n")).collect()
+    text.split_inclusive('\n').take_while(|line| line.starts_with("//!")).collect()
 }
 
 fn files(folder: &Path, found: &mut Vec<PathBuf>) {
