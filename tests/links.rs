@@ -17,14 +17,14 @@ fn pages(folder: &Path, found: &mut Vec<PathBuf>) {
 
 /// What a page links to, and what can be linked to in it.
 #[derive(Default)]
-struct Links {
-    targets: Vec<String>,
+pub struct Links {
+    pub targets: Vec<String>,
     anchors: BTreeSet<String>,
     /// References that no definition is there for: a viewer shows their brackets.
     undefined: Vec<String>,
 }
 
-fn links(text: &str) -> Links {
+pub fn links(text: &str) -> Links {
     let mut found = Links::default();
     let mut undefined = Vec::new();
     let mut heading: Option<String> = None;

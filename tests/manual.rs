@@ -9,6 +9,8 @@ use std::thread;
 use bentray::guide::{Page, blocks, pages};
 use bentray::scene::{REFERENCE, Scene};
 
+use crate::links::links;
+
 fn root() -> &'static Path {
     Path::new(env!("CARGO_MANIFEST_DIR"))
 }
@@ -240,22 +242,12 @@ fn every_page_is_listed() {
     }
 }
 
-/// The text and target of every link and picture of a Markdown text.
-fn links(text: &str) -> Vec<String> {
-    use pulldown_cmark::{Event, Parser, Tag};
-    let target = |event| match event {
-        Event::Start(Tag::Link { dest_url, .. } | Tag::Image { dest_url, .. }) => Some(dest_url.to_string()),
-        _ => None,
-    };
-    Parser::new(text).filter_map(target).collect()
-}
-
 /// Every picture of the manual is shown, by a page that has a command or a program that makes it.
 #[test]
 fn pictures_are_made_by_commands() {
     let mut shown = BTreeSet::new();
     for page in pages() {
-        for target in links(page.text) {
+        for target in links(page.text).targets {
             let Some(name) = target.strip_prefix("../../pictures/") else { continue };
             let stem = name.split('.').next().unwrap().trim_end_matches(|sign: char| sign.is_ascii_digit());
             let file = |word: &str| word.rsplit('/').next().unwrap().to_owned();
