@@ -96,7 +96,7 @@ impl Source {
         let to_folder = Path::new(&to).parent().unwrap_or(Path::new(""));
         fs::create_dir_all(self.folder.join(to_folder))?;
         let mut text = text.to_owned();
-        for (_, target) in links(&text) {
+        for target in links(&text) {
             if to_folder != folder && !target.contains("://") && !target.starts_with('#') {
                 text = text.replace(&format!("]({target})"), &format!("]({})", address(&joined(folder, &target))));
             } else if target.contains("README.md") {
@@ -131,25 +131,14 @@ impl Source {
     }
 }
 
-/// Returns the text and the target of every inline link and picture of a Markdown text.
-fn links(text: &str) -> Vec<(String, String)> {
-    use pulldown_cmark::{Event, Parser, Tag, TagEnd};
-    let (mut found, mut open) = (Vec::new(), None);
-    for event in Parser::new(text) {
-        match event {
-            Event::Start(Tag::Link { dest_url, .. } | Tag::Image { dest_url, .. }) => {
-                open = Some((String::new(), dest_url.to_string()));
-            }
-            Event::End(TagEnd::Link | TagEnd::Image) => found.extend(open.take()),
-            Event::Text(text) | Event::Code(text) => {
-                if let Some((own, _)) = &mut open {
-                    *own += &text;
-                }
-            }
-            _ => {}
-        }
-    }
-    found
+/// Returns the target of every inline link and picture of a Markdown text.
+fn links(text: &str) -> Vec<String> {
+    use pulldown_cmark::{Event, Parser, Tag};
+    let target = |event| match event {
+        Event::Start(Tag::Link { dest_url, .. } | Tag::Image { dest_url, .. }) => Some(dest_url.to_string()),
+        _ => None,
+    };
+    Parser::new(text).filter_map(target).collect()
 }
 
 /// Lists the pages of the scene file's tables below its own.
@@ -353,7 +342,7 @@ fn make_pictures(program: &Path, page: Page) -> Outcome<()> {
             return Err(format!("{}: bentray {}", page.name, words.join(" ")).into());
         }
     }
-    for (_, target) in links(page.text) {
+    for target in links(page.text) {
         let Some(name) = target.strip_prefix("../../pictures/") else { continue };
         let (made, kept) = (folder.path().join(name), root().join("manual/pictures").join(name));
         match name.strip_suffix(".jpg") {
