@@ -17,7 +17,7 @@ struct Law {
 
 @group(0) @binding(67) var<uniform> law: Law;
 
-fn law_held(p: Phase) -> Real {
+fn law_ray_constant(p: Phase) -> Real {
     return 0.0;
 }
 

@@ -4,7 +4,7 @@ use std::fmt::Write as _;
 use std::path::Path;
 
 use bentray::gpu::{AccelStructure, Geometry, PreviousGeometry};
-use bentray::program::{Analysis, Choice, DeviceProfile, Program, ProgramError, Schedule, Search};
+use bentray::program::{Analysis, DeviceProfile, Program, ProgramError, ProgramOptions, Schedule, Search};
 use bentray::render::{RenderSettings, Renderer, Status, Traced, trace};
 use bentray::scene::Scene;
 
@@ -91,7 +91,10 @@ fn ends(
         "{keys}max_segments = 60\nbounding_sphere = {{ radius = 17 }}\nacceleration = \"{accelerate}\"\n{MATERIAL}{objects}"
     );
     let scene = Scene::parse(&text, &folder.join("scene.toml"), &[]).unwrap_or_else(|error| panic!("{error}"));
-    let settings = RenderSettings { choice: Choice { schedule, ..Choice::default() }, ..RenderSettings::default() };
+    let settings = RenderSettings {
+        options: ProgramOptions { schedule, ..ProgramOptions::default() },
+        ..RenderSettings::default()
+    };
     trace(&gpu(), &scene, &settings, rays).unwrap().0
 }
 
@@ -140,8 +143,8 @@ fn lists_written_out_are_the_same_lists() {
 }
 
 fn program_of(scene: &Scene, geometry: &Geometry) -> Result<Program, ProgramError> {
-    let choice = Choice { device: DeviceProfile::cpu(8), ..Choice::default() };
-    Program::new(scene, &geometry.analysis, &choice, geometry.extent())
+    let options = ProgramOptions { device: DeviceProfile::cpu(8), ..ProgramOptions::default() };
+    Program::new(scene, &geometry.analysis, &options, geometry.extent())
 }
 
 /// The structure is what the scene asks for, and a few shapes are a list where it does not say.
@@ -212,8 +215,8 @@ fn long_walks_go_on_in_every_structure() {
         let program = program_of(&scene, &Geometry::new(&scene)).unwrap();
         assert!(program.features.suspends, "{accelerate}");
         for schedule in [Schedule::Fused, Schedule::Segment] {
-            let choice = Choice { schedule, ..Choice::default() };
-            let settings = RenderSettings { choice, ..RenderSettings::default() };
+            let options = ProgramOptions { schedule, ..ProgramOptions::default() };
+            let settings = RenderSettings { options, ..RenderSettings::default() };
             for end in trace(&gpu, &scene, &settings, &rays).unwrap().0 {
                 assert_eq!(end.status, Status::Hit, "{accelerate} {schedule:?}");
                 assert!((end.x[2] + 3.0).abs() < 1e-4, "{accelerate} {schedule:?}: {:?}", end.x);
@@ -247,7 +250,10 @@ fn a_heap_in_one_cell_fails_in_sight_or_is_met() {
     );
     let scene = Scene::parse(&text, &folder.path().join("scene.toml"), &[]).unwrap();
     for schedule in [Schedule::Whole, Schedule::Segment] {
-        let settings = RenderSettings { choice: Choice { schedule, ..Choice::default() }, ..RenderSettings::default() };
+        let settings = RenderSettings {
+            options: ProgramOptions { schedule, ..ProgramOptions::default() },
+            ..RenderSettings::default()
+        };
         let totals = Renderer::new(&gpu, &scene, settings).unwrap().render().unwrap().totals;
         if gpu.profile.loop_budget.is_some() {
             let failed = totals.count(Status::Failed);

@@ -8,7 +8,7 @@ use bentray::chart::{Outcome, StabilityCase, default_settings};
 use bentray::measure::{ErrorStats, ReferenceSolution, all_methods, calibrate, calibrate_for, verify};
 use bentray::model::control::embedded;
 use bentray::output::csv::read_rays;
-use bentray::program::Purpose;
+use bentray::program::Mode;
 use bentray::render::{RenderSettings, Renderer, Starts, Status, Traced, Tracer, trace};
 use bentray::scene::{Override, Scene};
 use glam::DVec3;
@@ -267,7 +267,7 @@ fn chosen_pixels_are_the_pictures_own() {
     let gpu = gpu();
     let scene = scene(&format!("{HOLE}method = \"rk4\"\n[sky]\ncolor = [1, 1, 1]\n"));
     let picture = Renderer::new(&gpu, &scene, RenderSettings::default()).unwrap().render().unwrap();
-    let mut tracer = Tracer::new(&gpu, &scene, RenderSettings::default(), Purpose::Pixels).unwrap();
+    let mut tracer = Tracer::new(&gpu, &scene, RenderSettings::default(), Mode::Pixels).unwrap();
     let pixels: Vec<[u32; 2]> = (0..72).flat_map(|y| (0..96).map(move |x| [95 - x, y])).collect();
     let (rays, _) = tracer.follow(Starts::Pixels(&pixels, 96)).unwrap();
     for ([x, y], ray) in pixels.iter().zip(&rays) {

@@ -5,7 +5,7 @@
 use std::sync::Arc;
 
 use bentray::model::camera::{Corners, Fisheye, Panorama};
-use bentray::program::{Choice, Layer};
+use bentray::program::{Layer, ProgramOptions};
 use bentray::render::{Plane, RenderSettings, Renderer, Rendering, Status, pixel_starts};
 use bentray::scene::Scene;
 use glam::DVec3;
@@ -23,7 +23,10 @@ fn rendered(scene: &Scene, settings: RenderSettings) -> Rendering {
 }
 
 fn with_status() -> RenderSettings {
-    RenderSettings { choice: Choice { layers: vec![Layer::Status], ..Choice::default() }, ..RenderSettings::default() }
+    RenderSettings {
+        options: ProgramOptions { layers: vec![Layer::Status], ..ProgramOptions::default() },
+        ..RenderSettings::default()
+    }
 }
 
 /// From pixel center to pixel center: a panorama as large as the sky, from anywhere in straight space, is that sky.

@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use bentray::gpu::Geometry;
-use bentray::program::{Choice, Program, part};
+use bentray::program::{Program, ProgramOptions, part};
 use bentray::render::{RenderSettings, Renderer, Status, trace};
 use bentray::scene::{Scene, SceneError};
 
@@ -30,7 +30,7 @@ fn error_of(wgsl: &str, law: &str) -> String {
     let folder = tempfile::tempdir().unwrap();
     let scene = scene_with(folder.path(), wgsl, law, "scaled_step = 0.1");
     let geometry = Geometry::new(&scene);
-    match Program::new(&scene, &geometry.analysis, &Choice::default(), geometry.extent()) {
+    match Program::new(&scene, &geometry.analysis, &ProgramOptions::default(), geometry.extent()) {
         Ok(_) => panic!("no error in\n{wgsl}"),
         Err(error) => error.to_string(),
     }

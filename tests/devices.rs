@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use bentray::gpu::{Geometry, Gpu};
-use bentray::program::{BindingKind, Choice, DeviceProfile, Program, Purpose, Schedule};
+use bentray::program::{BindingKind, DeviceProfile, Mode, Program, ProgramOptions, Schedule};
 use bentray::render::{RenderSettings, Renderer};
 use bentray::scene::Scene;
 
@@ -30,13 +30,11 @@ fn passes_fit_webgpus_default_limits() {
         let more = MORE.iter().find(|(name, _)| path.ends_with(name));
         let limits = [more.map_or(LIMITS[0], |(_, count)| *count), LIMITS[1], LIMITS[2], LIMITS[3]];
         let mut most = 0;
-        for (schedule, purpose) in Schedule::ALL
-            .map(|schedule| (schedule, Purpose::Picture))
-            .into_iter()
-            .chain([(Schedule::Fused, Purpose::Trace)])
+        for (schedule, mode) in
+            Schedule::ALL.map(|schedule| (schedule, Mode::Picture)).into_iter().chain([(Schedule::Fused, Mode::Trace)])
         {
-            let choice = Choice { schedule, masks: schedule.masks(), purpose, ..Choice::default() };
-            let program = Program::new(&scene, &geometry.analysis, &choice, geometry.extent()).unwrap();
+            let options = ProgramOptions { schedule, masks: schedule.masks(), mode, ..ProgramOptions::default() };
+            let program = Program::new(&scene, &geometry.analysis, &options, geometry.extent()).unwrap();
             let named = |what: String| format!("{} by {schedule:?}: {what}", path.display());
             for (pass, _, reflection) in &program.passes {
                 let buffers = reflection.count(|kind| matches!(kind, BindingKind::Storage { .. }));

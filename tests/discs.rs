@@ -1,7 +1,7 @@
 //! Tests matter that orbits in thin disks, against closed forms and values with 15 digits.
 
 use bentray::model::{black_body, matter};
-use bentray::program::{Choice, Layer, Schedule};
+use bentray::program::{Layer, ProgramOptions, Schedule};
 use bentray::render::{Plane, RenderSettings, Renderer};
 use bentray::scene::Observer;
 use glam::DVec3;
@@ -271,8 +271,8 @@ fn light_of_translucent_discs_adds_up() {
             left *= 1.0 - OPACITY;
         }
         let seen = [Schedule::Whole, Schedule::Segment].map(|schedule| {
-            let choice = Choice { schedule, layers: vec![Layer::ImageOrder], ..Choice::default() };
-            let settings = RenderSettings { choice, ..RenderSettings::default() };
+            let options = ProgramOptions { schedule, layers: vec![Layer::ImageOrder], ..ProgramOptions::default() };
+            let settings = RenderSettings { options, ..RenderSettings::default() };
             let picture = Renderer::new(&gpu(), &scene, settings).unwrap().render().unwrap();
             let Some(Plane::Vector(seen)) = picture.band.layer(Layer::ImageOrder) else { panic!("no orders") };
             orders.resize(3, 0.0);

@@ -5,7 +5,7 @@ use std::path::Path;
 
 use bentray::gpu::Geometry;
 use bentray::program::{
-    BindingKind, Choice, DeviceProfile, Layer, LinkedProgram, Parts, Program, ProgramError, Purpose, RaySkipping,
+    BindingKind, DeviceProfile, Layer, LinkedProgram, Mode, Parts, Program, ProgramError, ProgramOptions, RaySkipping,
     Schedule, Unit, link, validated,
 };
 use bentray::scene::{Override, Precision, Rays, Scene, TEMPLATES};
@@ -88,8 +88,8 @@ const PICTURES: [&[&str]; 7] = [
 fn nothing_can_be_taken_out_of_any_program() {
     // Purposes differ in the same parts under every schedule.
     let purposes = |schedule| match schedule {
-        Schedule::Whole | Schedule::Paper => [Purpose::Picture, Purpose::Trace, Purpose::Pixels].as_slice(),
-        _ => &[Purpose::Picture],
+        Schedule::Whole | Schedule::Paper => [Mode::Picture, Mode::Trace, Mode::Pixels].as_slice(),
+        _ => &[Mode::Picture],
     };
     let shipped: Vec<_> = ["scenes/groller", "scenes/light", "scenes/paths", "scenes/spacetimes"]
         .into_iter()
@@ -107,9 +107,10 @@ fn nothing_can_be_taken_out_of_any_program() {
         let taken = |(k, schedule): &(usize, Schedule)| *schedule == Schedule::Whole || (i + k) % 2 == 0;
         for (_, schedule) in Schedule::ALL.into_iter().enumerate().filter(taken) {
             for (masks, layers) in [(RaySkipping::List, Vec::new()), (RaySkipping::Off, Layer::ALL.to_vec())] {
-                for &purpose in purposes(schedule) {
-                    let choice = Choice { schedule, masks, purpose, layers: layers.clone(), ..Choice::default() };
-                    let program = Program::new(&scene, &geometry.analysis, &choice, geometry.extent()).unwrap();
+                for &mode in purposes(schedule) {
+                    let options =
+                        ProgramOptions { schedule, masks, mode, layers: layers.clone(), ..ProgramOptions::default() };
+                    let program = Program::new(&scene, &geometry.analysis, &options, geometry.extent()).unwrap();
                     for (pass, linked, reflection) in &program.passes {
                         if !seen.insert(linked.source.clone()) {
                             continue;
@@ -179,23 +180,25 @@ fn every_scene_is_valid_in_64_bits() {
         count += 1;
         let geometry = Geometry::new(&scene);
         // Which validates all passes.
-        let made = |scene: &Scene, choice: &Choice| Program::new(scene, &geometry.analysis, choice, geometry.extent());
-        let whole = |purpose| Choice { purpose, layers: Layer::ALL.to_vec(), ..Choice::default() };
-        let fused = |purpose| Choice { schedule: Schedule::Fused, purpose, ..Choice::default() };
-        for choice in [whole(Purpose::Picture), whole(Purpose::Trace), fused(Purpose::Picture)] {
-            let program = made(&scene, &choice).unwrap_or_else(|error| panic!("{name} {choice:?}: {error}"));
-            for (_, linked, _) in program.passes.iter().filter(|_| choice.purpose == Purpose::Picture) {
+        let made = |scene: &Scene, options: &ProgramOptions| {
+            Program::new(scene, &geometry.analysis, options, geometry.extent())
+        };
+        let whole = |mode| ProgramOptions { mode, layers: Layer::ALL.to_vec(), ..ProgramOptions::default() };
+        let fused = |mode| ProgramOptions { schedule: Schedule::Fused, mode, ..ProgramOptions::default() };
+        for options in [whole(Mode::Picture), whole(Mode::Trace), fused(Mode::Picture)] {
+            let program = made(&scene, &options).unwrap_or_else(|error| panic!("{name} {options:?}: {error}"));
+            for (_, linked, _) in program.passes.iter().filter(|_| options.mode == Mode::Picture) {
                 if seen.insert(linked.source.clone()) {
-                    with_constants(linked).unwrap_or_else(|error| panic!("{name} {choice:?}: {error}"));
+                    with_constants(linked).unwrap_or_else(|error| panic!("{name} {options:?}: {error}"));
                 }
             }
         }
         // What not every scene can be asked for, in 64 bits where it can in 32.
         let single = Scene { rays: Rays { precision: Precision::Single, ..scene.rays.clone() }, ..scene.clone() };
-        for choice in [Purpose::Lit, Purpose::Light].map(fused) {
-            if !scene.lights.is_empty() && made(&single, &choice).is_ok() {
+        for options in [Mode::Lit, Mode::Light].map(fused) {
+            if !scene.lights.is_empty() && made(&single, &options).is_ok() {
                 asked += 1;
-                made(&scene, &choice).unwrap_or_else(|error| panic!("{name} {choice:?}: {error}"));
+                made(&scene, &options).unwrap_or_else(|error| panic!("{name} {options:?}: {error}"));
             }
         }
     }
@@ -213,8 +216,8 @@ fn no_pass_asks_for_the_number_of_workgroups() {
     let scene = Scene::load(&shipped_scenes()[0], &keys).unwrap();
     let geometry = Geometry::new(&scene);
     for schedule in Schedule::ALL {
-        let choice = Choice { schedule, ..Choice::default() };
-        let program = Program::new(&scene, &geometry.analysis, &choice, geometry.extent()).unwrap();
+        let options = ProgramOptions { schedule, ..ProgramOptions::default() };
+        let program = Program::new(&scene, &geometry.analysis, &options, geometry.extent()).unwrap();
         for (pass, linked, _) in &program.passes {
             let module = validated(linked).unwrap();
             for argument in module.entry_points.iter().flat_map(|entry| &entry.function.arguments) {
@@ -256,17 +259,17 @@ fn programs_do_not_branch_on_what_the_scene_fixes() {
         let scene = Scene::load(&Path::new(env!("CARGO_MANIFEST_DIR")).join(path), &[]).unwrap();
         let geometry = Geometry::new(&scene);
         let others = [
-            (Schedule::Fused, Purpose::Picture),
-            (Schedule::Segment, Purpose::Trace),
-            (Schedule::Paper, Purpose::Pixels),
-            (Schedule::Fused, Purpose::Bare),
-            (Schedule::Fused, Purpose::Light),
-            (Schedule::Fused, Purpose::Caustics),
+            (Schedule::Fused, Mode::Picture),
+            (Schedule::Segment, Mode::Trace),
+            (Schedule::Paper, Mode::Pixels),
+            (Schedule::Fused, Mode::Bare),
+            (Schedule::Fused, Mode::Light),
+            (Schedule::Fused, Mode::Caustics),
         ];
         // Beside each scene's picture, half of what else its programs are for.
-        for (schedule, purpose) in others.into_iter().skip(k % 2).step_by(2) {
-            let choice = Choice { schedule, purpose, device: DeviceProfile::cpu(8), ..Choice::default() };
-            note(&Program::new(&scene, &geometry.analysis, &choice, geometry.extent()).unwrap());
+        for (schedule, mode) in others.into_iter().skip(k % 2).step_by(2) {
+            let options = ProgramOptions { schedule, mode, device: DeviceProfile::cpu(8), ..ProgramOptions::default() };
+            note(&Program::new(&scene, &geometry.analysis, &options, geometry.extent()).unwrap());
         }
     }
     let known = |branch: &Branch| {

@@ -3,15 +3,15 @@
 
 use std::sync::Arc;
 
-use bentray::program::{Choice, Program, Schedule};
+use bentray::program::{Program, ProgramOptions, Schedule};
 use bentray::render::{Band, RenderSettings, Renderer};
 use bentray::scene::{Picture, Scene};
 
 use crate::support::{gpu, scene};
 
 fn of(scene: &Scene, schedule: Schedule, tile_pixels: u64) -> Band {
-    let choice = Choice { schedule, ..Choice::default() };
-    let settings = RenderSettings { choice, tile_pixels, ..RenderSettings::default() };
+    let options = ProgramOptions { schedule, ..ProgramOptions::default() };
+    let settings = RenderSettings { options, tile_pixels, ..RenderSettings::default() };
     Renderer::new(&gpu(), scene, settings).unwrap().render().unwrap().band
 }
 
@@ -149,7 +149,7 @@ fn nothing_is_modelled_for_plain_colors() {
         let mut scene = wall(8, text);
         scene.image.footprints = footprints;
         let geometry = bentray::gpu::Geometry::new(&scene);
-        Program::new(&scene, &geometry.analysis, &Choice::default(), geometry.extent()).unwrap()
+        Program::new(&scene, &geometry.analysis, &ProgramOptions::default(), geometry.extent()).unwrap()
     };
     assert!(program("[1, 1, 1]", true).runs_as(&program("[1, 1, 1]", false)));
     assert!(!program(IMAGE, true).runs_as(&program(IMAGE, false)));

@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use bentray::gpu::Gpu;
 use bentray::measure::calibrate_for;
 use bentray::output::save;
-use bentray::program::{Choice, Schedule};
+use bentray::program::{ProgramOptions, Schedule};
 use bentray::render::{RenderSettings, Renderer};
 use bentray::scene::{Files, Override, Scene, Shadows};
 
@@ -116,8 +116,9 @@ fn smaller(asked: &Asked) -> Vec<Override> {
 fn rendered(gpu: &Gpu, mut asked: Asked, to: &Path) -> image::RgbImage {
     asked.sets.extend(smaller(&asked));
     let (first, mut scene) = (asked.load(asked.frame.map(|_| 0.0)), asked.load(asked.frame));
-    let choice = Choice { schedule: asked.schedule, masks: asked.schedule.masks(), ..Choice::default() };
-    let settings = RenderSettings { choice, ..RenderSettings::default() };
+    let options =
+        ProgramOptions { schedule: asked.schedule, masks: asked.schedule.masks(), ..ProgramOptions::default() };
+    let settings = RenderSettings { options, ..RenderSettings::default() };
     let [width, height] = scene.image.size.map(u64::from);
     let rays = width * height * u64::from(scene.image.samples);
     if let Some(found) = calibrate_for(gpu, &first, &settings, rays).unwrap() {

@@ -3,13 +3,13 @@
 use std::f64::consts::PI;
 
 use bentray::glam::{DVec3, dvec3};
-use bentray::program::{Choice, RaySkipping, Schedule};
+use bentray::program::{ProgramOptions, RaySkipping, Schedule};
 use bentray::render::{RenderSettings, Renderer, Rendering, Status};
 
 use crate::support::{gpu, mean_of, scene};
 
-fn rendered(text: &str, choice: Choice) -> Rendering {
-    Renderer::new(&gpu(), &scene(text), RenderSettings { choice, ..RenderSettings::default() })
+fn rendered(text: &str, options: ProgramOptions) -> Rendering {
+    Renderer::new(&gpu(), &scene(text), RenderSettings { options, ..RenderSettings::default() })
         .unwrap()
         .render()
         .unwrap()
@@ -46,7 +46,7 @@ fn lobes_keep_what_lies_above_the_surface() {
         for (material, transport, expected) in
             [(&glossy, "direct", kept), (&glossy, "path-tracing", kept), (&phong, "path-tracing", albedo)]
         {
-            let picture = rendered(&disk(material, transport, degrees), Choice::default());
+            let picture = rendered(&disk(material, transport, degrees), ProgramOptions::default());
             let (mean, error) = mean_of(&picture, 0);
             let z = (mean - expected) / error.max(3e-5 * expected);
             assert!(
@@ -65,14 +65,15 @@ const BALL: &str = "[image]\nsize = [32, 32]\nsamples = 16\n[camera]\nposition =
 /// A lobe that is narrow enough is the smooth surface.
 #[test]
 fn narrow_lobes_are_smooth() {
-    let smooth = rendered(&BALL.replace(", GLOSS", ""), Choice::default());
-    let narrow = rendered(&BALL.replace("GLOSS", "reflect_exponent = 1e9, transmit_exponent = 1e9"), Choice::default());
-    let rough = rendered(&BALL.replace("GLOSS", "transmit_exponent = 30"), Choice::default());
+    let smooth = rendered(&BALL.replace(", GLOSS", ""), ProgramOptions::default());
+    let narrow =
+        rendered(&BALL.replace("GLOSS", "reflect_exponent = 1e9, transmit_exponent = 1e9"), ProgramOptions::default());
+    let rough = rendered(&BALL.replace("GLOSS", "transmit_exponent = 30"), ProgramOptions::default());
     let apart = |other: &Rendering| {
         let off = smooth.band.color[0].iter().zip(&other.band.color[0]).map(|(a, b)| f64::from((a - b).abs()));
         off.sum::<f64>() / smooth.band.color[0].len() as f64
     };
-    let flat = rendered(&BALL.replace("GLOSS", "roughness = 1e-4"), Choice::default());
+    let flat = rendered(&BALL.replace("GLOSS", "roughness = 1e-4"), ProgramOptions::default());
     assert!(apart(&narrow) < 2e-3, "{}", apart(&narrow));
     assert!(apart(&flat) < 2e-3, "{}", apart(&flat));
     assert!(apart(&rough) > 0.05, "{}", apart(&rough));
@@ -134,7 +135,7 @@ fn microfacets_reflect_and_transmit_by_their_distribution() {
                 5.0 * cos,
                 n * n
             );
-            let picture = rendered(&text, Choice::default());
+            let picture = rendered(&text, ProgramOptions::default());
             for (channel, expected) in expected.into_iter().enumerate() {
                 let (mean, error) = mean_of(&picture, channel);
                 let z = (mean - expected) / error.max(1e-4 * expected);
@@ -152,7 +153,7 @@ fn microfacets_reflect_and_transmit_by_their_distribution() {
 fn lost_light_is_counted() {
     let rough = BALL.replace("GLOSS", "reflect_exponent = 2, transmit_exponent = 2");
     let text = rough.replace("[rays]", "[rays]\nmax_splits = \"stochastic\"");
-    let picture = rendered(&text, Choice::default());
+    let picture = rendered(&text, ProgramOptions::default());
     assert!(picture.totals.count(Status::Cut) > 0, "{}", picture.totals);
     assert_eq!(picture.totals.unfollowed(), 0, "{}", picture.totals);
 }
@@ -162,9 +163,9 @@ fn every_schedule_draws_the_same_lobes() {
     let text =
         BALL.replace("GLOSS", "reflect_exponent = 50, transmit_exponent = 30").replace("samples = 16", "samples = 2");
     let text = text.replace("[rays]", "[rays]\nmax_segments = 60");
-    let usual = rendered(&text, Choice::default());
+    let usual = rendered(&text, ProgramOptions::default());
     for schedule in Schedule::ALL {
-        let other = rendered(&text, Choice { schedule, masks: RaySkipping::Off, ..Choice::default() });
+        let other = rendered(&text, ProgramOptions { schedule, masks: RaySkipping::Off, ..ProgramOptions::default() });
         assert!(other.band == usual.band, "{schedule:?}");
     }
 }

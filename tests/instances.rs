@@ -5,7 +5,7 @@ use std::fmt::Write as _;
 use std::path::Path;
 
 use bentray::gpu::Geometry;
-use bentray::program::{Analysis, Choice, DeviceProfile, Program, Schedule};
+use bentray::program::{Analysis, DeviceProfile, Program, ProgramOptions, Schedule};
 use bentray::render::{RenderSettings, Renderer, Status, Traced, trace};
 use bentray::scene::Scene;
 
@@ -69,7 +69,10 @@ fn scene(folder: &Path, keys: &str, accelerate: &str, objects: &str) -> Scene {
 }
 
 fn ends(scene: &Scene, schedule: Schedule, rays: &[[f64; 6]]) -> Vec<Traced> {
-    let settings = RenderSettings { choice: Choice { schedule, ..Choice::default() }, ..RenderSettings::default() };
+    let settings = RenderSettings {
+        options: ProgramOptions { schedule, ..ProgramOptions::default() },
+        ..RenderSettings::default()
+    };
     trace(&gpu(), scene, &settings, rays).unwrap().0
 }
 
@@ -138,15 +141,18 @@ fn long_walks_through_meshes_that_are_kept_once_go_on() {
         "[camera]\nposition = [0, 0, 14]\nfov = 0.5\n[image]\nsize = [4, 3]\n[law]\nkind = \"straight\"\n[rays]\n";
     let scene = scene(folder.path(), keys, "bvh", &objects);
     let geometry = Geometry::new(&scene);
-    let choice = Choice { device: DeviceProfile::cpu(8), ..Choice::default() };
-    let program = Program::new(&scene, &geometry.analysis, &choice, geometry.extent()).unwrap();
+    let options = ProgramOptions { device: DeviceProfile::cpu(8), ..ProgramOptions::default() };
+    let program = Program::new(&scene, &geometry.analysis, &options, geometry.extent()).unwrap();
     assert!(geometry.analysis.structure.once && program.features.suspends);
     let rays: Vec<[f64; 6]> = (0..10).map(|i| [-0.05 + 0.01 * f64::from(i), 0.0, 14.0, 0.0, 0.0, -1.0]).collect();
     for schedule in [Schedule::Fused, Schedule::Segment, Schedule::Whole] {
         for end in ends(&scene, schedule, &rays) {
             assert!(end.status == Status::Hit && (end.x[2] + 3.0).abs() < 1e-4, "{schedule:?}: {end:?}");
         }
-        let settings = RenderSettings { choice: Choice { schedule, ..Choice::default() }, ..RenderSettings::default() };
+        let settings = RenderSettings {
+            options: ProgramOptions { schedule, ..ProgramOptions::default() },
+            ..RenderSettings::default()
+        };
         let totals = Renderer::new(&gpu(), &scene, settings).unwrap().render().unwrap().totals;
         assert_eq!((totals.rays, totals.count(Status::Hit)), (12, 12), "{schedule:?}: {totals}");
     }

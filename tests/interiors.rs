@@ -2,7 +2,7 @@
 //! have their limits.
 
 use bentray::gpu::Geometry;
-use bentray::program::{BindingKind, Choice, Layer, Program, Purpose, RaySkipping, Schedule};
+use bentray::program::{BindingKind, Layer, Mode, Program, ProgramOptions, RaySkipping, Schedule};
 use bentray::render::{RenderSettings, Renderer, Rendering, Status, Traced, trace};
 use bentray::scene::Scene;
 use glam::DVec3;
@@ -20,8 +20,8 @@ fn room(rays: &str, objects: &[&str]) -> String {
     format!("[rays]\nbounding_sphere = {{ radius = 25 }}\n{rays}\n{ROOM}{objects}")
 }
 
-fn rendered(scene: &Scene, choice: Choice) -> Rendering {
-    let settings = RenderSettings { choice, ..RenderSettings::default() };
+fn rendered(scene: &Scene, options: ProgramOptions) -> Rendering {
+    let settings = RenderSettings { options, ..RenderSettings::default() };
     Renderer::new(&gpu(), scene, settings).unwrap().render().unwrap()
 }
 
@@ -52,15 +52,20 @@ fn all_schedules_give_the_same_picture() {
     for (text, segments) in scenes.iter().flat_map(|text| [(text, 60), (text, 3)]) {
         let mut scene = scene(text);
         scene.rays.max_segments = segments;
-        let choice = |schedule, masks| Choice { schedule, masks, layers: Layer::ALL.to_vec(), ..Choice::default() };
-        let first = rendered(&scene, choice(Schedule::Fused, RaySkipping::List));
+        let options = |schedule, masks| ProgramOptions {
+            schedule,
+            masks,
+            layers: Layer::ALL.to_vec(),
+            ..ProgramOptions::default()
+        };
+        let first = rendered(&scene, options(Schedule::Fused, RaySkipping::List));
         for (schedule, masks) in [
             (Schedule::Whole, RaySkipping::List),
             (Schedule::Fused, RaySkipping::Off),
             (Schedule::Segment, RaySkipping::List),
             (Schedule::Paper, RaySkipping::Grid),
         ] {
-            let other = rendered(&scene, choice(schedule, masks));
+            let other = rendered(&scene, options(schedule, masks));
             assert!(first.band == other.band, "{schedule:?}, masks {masks:?}\n{text}");
             assert_eq!(first.totals.by_status, other.totals.by_status);
             assert_eq!(first.totals.segments, other.totals.segments, "{schedule:?}, masks {masks:?}");
@@ -79,7 +84,7 @@ fn a_closed_mesh_of_glass_is_what_its_shape_is() {
     let picture = |object: &str, camera: &str| {
         let text = room("max_splits = 3", &[object]).replace("position = [1, 2, 8]", camera);
         let scene = Scene::parse(&text, &folder.path().join("scene.toml"), &[]).unwrap_or_else(|e| panic!("{e}"));
-        rendered(&scene, Choice::default()).band.color
+        rendered(&scene, ProgramOptions::default()).band.color
     };
     let inside = "position = [0.1, 0.2, 0.3]\nlook_at = [0, 0, -5]";
     let turned = "scale = 1.1\nrotate = [10, 25, 5]\ninterior = 1.5";
@@ -144,7 +149,7 @@ fn meshes_are_solid_however_their_files_wind_them() {
             let picture = |object: &str| {
                 let text = room("max_splits = 3", &[&format!("{object}\ninterior = 1.5")]);
                 let scene = read(&(text.replace("position = [1, 2, 8]", camera) + light));
-                rendered(&scene, Choice::default()).band.color
+                rendered(&scene, ProgramOptions::default()).band.color
             };
             let (mesh, cuboid) = (picture(&mesh), picture(&cuboid));
             let pixels = mesh[0].len();
@@ -161,7 +166,7 @@ fn random_branches_have_the_mean_of_all() {
         let mut scene = scene(&room(rays, &[GLASS, FLAT_MIRROR]));
         scene.image.size = [12, 9];
         scene.image.samples = samples;
-        let color = rendered(&scene, Choice::default()).band.color;
+        let color = rendered(&scene, ProgramOptions::default()).band.color;
         color.map(|channel| f64::from(channel.iter().sum::<f32>()) / channel.len() as f64)
     };
     let (all, random) = (mean("max_splits = 8", 16), mean("max_splits = \"stochastic\"", 400));
@@ -257,13 +262,13 @@ fn nothing_can_be_taken_out_of_the_programs_of_interiors() {
         let scene = Scene::load(&path, &[]).unwrap_or_else(|error| panic!("{error}"));
         let geometry = Geometry::new(&scene);
         for schedule in [Schedule::Paper, Schedule::Segment, Schedule::Fused] {
-            for (purpose, masks) in [
-                (Purpose::Picture, RaySkipping::List),
-                (Purpose::Picture, RaySkipping::Off),
-                (Purpose::Trace, RaySkipping::Grid),
+            for (mode, masks) in [
+                (Mode::Picture, RaySkipping::List),
+                (Mode::Picture, RaySkipping::Off),
+                (Mode::Trace, RaySkipping::Grid),
             ] {
-                let choice = Choice { schedule, masks, purpose, ..Choice::default() };
-                let program = Program::new(&scene, &geometry.analysis, &choice, geometry.extent()).unwrap();
+                let options = ProgramOptions { schedule, masks, mode, ..ProgramOptions::default() };
+                let program = Program::new(&scene, &geometry.analysis, &options, geometry.extent()).unwrap();
                 for (pass, linked, reflection) in &program.passes {
                     let uniform =
                         |kind: &BindingKind| matches!(kind, BindingKind::Uniform(_) | BindingKind::Block { .. });

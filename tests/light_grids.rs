@@ -1,7 +1,7 @@
 //! Tests photon grids: the light in their voxels, against closed forms and against the shooting method.
 
 use bentray::gpu::LightGridData;
-use bentray::program::{Choice, RaySkipping, Schedule};
+use bentray::program::{ProgramOptions, RaySkipping, Schedule};
 use bentray::render::{LightReport, RenderError, RenderSettings, Renderer, light_grids, light_paths};
 use glam::DVec3;
 
@@ -128,8 +128,8 @@ fn pictures_do_not_depend_on_the_schedule() {
         lamp("voxels = 16\npaths = 16384")
     ));
     let picture = |schedule, masks, tile_pixels| {
-        let choice = Choice { schedule, masks, ..Choice::default() };
-        let settings = RenderSettings { choice, tile_pixels, ..RenderSettings::default() };
+        let options = ProgramOptions { schedule, masks, ..ProgramOptions::default() };
+        let settings = RenderSettings { options, tile_pixels, ..RenderSettings::default() };
         Renderer::new(&gpu(), &room, settings).unwrap().render().unwrap().band
     };
     let first = picture(Schedule::Whole, RaySkipping::List, 1 << 20);

@@ -6,7 +6,7 @@ use std::process::Command;
 
 use bentray::gpu::Geometry;
 use bentray::program::Program;
-use bentray::program::{Choice, DeviceProfile, Purpose};
+use bentray::program::{DeviceProfile, Mode, ProgramOptions};
 use bentray::render::{RenderSettings, Status, trace};
 use bentray::scene::Scene;
 use glam::DVec3;
@@ -230,13 +230,15 @@ fn suspended_walks_go_on() {
         let scene = bent_scene(folder.path(), keys);
         let geometry = Geometry::new(&scene);
         let device = DeviceProfile::cpu(8);
-        let choice = Choice { purpose: Purpose::Trace, device, ..Choice::default() };
-        let program = Program::new(&scene, &geometry.analysis, &choice, geometry.extent()).unwrap();
+        let options = ProgramOptions { mode: Mode::Trace, device, ..ProgramOptions::default() };
+        let program = Program::new(&scene, &geometry.analysis, &options, geometry.extent()).unwrap();
         assert!(program.features.suspends);
         let rays: Vec<[f64; 6]> = (0..100).map(|i| [1.0 + 0.03 * f64::from(i), 4.5, 9.0, 0.0, 0.0, -1.0]).collect();
         for schedule in [bentray::program::Schedule::Fused, bentray::program::Schedule::Segment] {
-            let settings =
-                RenderSettings { choice: Choice { schedule, ..Choice::default() }, ..RenderSettings::default() };
+            let settings = RenderSettings {
+                options: ProgramOptions { schedule, ..ProgramOptions::default() },
+                ..RenderSettings::default()
+            };
             let (ends, _) = trace(&gpu, &scene, &settings, &rays).unwrap();
             for end in ends {
                 assert_eq!(end.status, Status::Hit, "{keys} {schedule:?}");

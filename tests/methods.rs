@@ -5,7 +5,7 @@ use std::path::Path;
 
 use bentray::model::Law;
 use bentray::model::law::{FlowOrder, HoleForm, InMedium, Lorenz, Rossler, RoundHole, Straight};
-use bentray::program::{Analysis, Choice, Features, Layer, Purpose, RaySkipping, Schedule, link_all, plan};
+use bentray::program::{Analysis, Features, Layer, Mode, ProgramOptions, RaySkipping, Schedule, link_all, plan};
 use bentray::scene::{Precision, Rays, Scene};
 
 use crate::exactness::unused;
@@ -106,16 +106,16 @@ fn other_form(law: &dyn Law) -> Option<&'static str> {
 
 /// One after the other, so that each way to cut a program meets each part of the table: seven, which is no multiple of the
 /// number of precisions.
-fn choices() -> Vec<Choice> {
-    let mut all = vec![Choice { masks: RaySkipping::Off, ..Choice::default() }];
+fn choices() -> Vec<ProgramOptions> {
+    let mut all = vec![ProgramOptions { masks: RaySkipping::Off, ..ProgramOptions::default() }];
     for schedule in [Schedule::Fused, Schedule::Paper, Schedule::Segment] {
-        for (purpose, layers) in [(Purpose::Picture, Layer::ALL.to_vec()), (Purpose::Trace, Vec::new())] {
-            all.push(Choice {
+        for (mode, layers) in [(Mode::Picture, Layer::ALL.to_vec()), (Mode::Trace, Vec::new())] {
+            all.push(ProgramOptions {
                 schedule,
-                masks: if purpose == Purpose::Picture { RaySkipping::List } else { RaySkipping::Off },
-                purpose,
+                masks: if mode == Mode::Picture { RaySkipping::List } else { RaySkipping::Off },
+                mode,
                 layers,
-                ..Choice::default()
+                ..ProgramOptions::default()
             });
         }
     }
@@ -124,9 +124,9 @@ fn choices() -> Vec<Choice> {
 
 /// Every pass of the scene's program: nothing in it is unused, and of steps, controls, memories, numbers and states all of them
 /// together have what is needed, and no more.
-fn check(scene: &Scene, choice: &Choice, needed: &str, at: &str) {
+fn check(scene: &Scene, options: &ProgramOptions, needed: &str, at: &str) {
     let analysis = Analysis::of(scene);
-    let features = Features::of(scene, choice, &analysis);
+    let features = Features::of(scene, options, &analysis);
     let planned = plan(scene, &analysis, &features).unwrap();
     let mut parts = BTreeSet::new();
     let entries: Vec<&str> = features.passes().iter().map(|pass| pass.entry()).collect();
@@ -159,9 +159,9 @@ fn check_settings(path: &Path, full: &Scene, form: &str, precisions: &[State]) -
         for (precision, state) in precisions {
             let rays = Rays { precision: *precision, ..bare.rays.clone() };
             let scene = Scene { law: bare.law.clone(), rays, ..full.clone() };
-            let choice = choices.next().unwrap();
-            let at = format!("{}: {form} {setting} in {precision:?} under {choice:?}", path.display());
-            check(&scene, &choice, &format!("{steps} {state}"), &at);
+            let options = choices.next().unwrap();
+            let at = format!("{}: {form} {setting} in {precision:?} under {options:?}", path.display());
+            check(&scene, &options, &format!("{steps} {state}"), &at);
             allowed += 1;
         }
     }

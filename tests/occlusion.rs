@@ -1,12 +1,12 @@
 //! Tests ambient occlusion against projected areas in closed form.
 
-use bentray::program::{Choice, Schedule};
+use bentray::program::{ProgramOptions, Schedule};
 use bentray::render::{RenderSettings, Renderer, Rendering};
 
 use crate::support::{gpu, mean_of, scene};
 
-fn rendered(text: &str, choice: Choice) -> Rendering {
-    Renderer::new(&gpu(), &scene(text), RenderSettings { choice, ..RenderSettings::default() })
+fn rendered(text: &str, options: ProgramOptions) -> Rendering {
+    Renderer::new(&gpu(), &scene(text), RenderSettings { options, ..RenderSettings::default() })
         .unwrap()
         .render()
         .unwrap()
@@ -42,7 +42,7 @@ fn what_is_open_is_as_bright() {
         ("transparent = \"ignored\"", &*glass, 1.0, 1.0),
         ("floor = 0.25", &*opaque, 1.0, 0.25 + 0.75 * 0.646_446_6),
     ] {
-        let picture = rendered(&floor(ambient, objects, x), Choice::default());
+        let picture = rendered(&floor(ambient, objects, x), ProgramOptions::default());
         let (mean, error) = mean_of(&picture, 0);
         assert!((mean - open).abs() < 4.0 * error + 1e-5, "{ambient}, {objects}: {mean} ± {error} for {open}");
         assert!(error < 0.01 * open, "{objects}: {error}");
@@ -59,7 +59,7 @@ fn glass_casts_no_shadow_of_lights() {
         "interior = { kind = \"constant\", n = 1.5, roughness = 0.3 }\n",
     ] {
         let text = format!("{}{light}", floor("floor = 1", &format!("{BALL}{gloss}"), 0.5));
-        let (mean, _) = mean_of(&rendered(&text, Choice::default()), 0);
+        let (mean, _) = mean_of(&rendered(&text, ProgramOptions::default()), 0);
         // Ambient light, and a lamp that faces it.
         assert!((mean - 2.0).abs() < 1e-4, "{gloss}: {mean}");
     }
@@ -85,13 +85,13 @@ fn clear_things_shut_out_what_asks_for_it() {
     ] {
         for ambient in ["floor = 1", "floor = 1\ntransparent = \"ignored\""] {
             let text = format!("{}{}", floor(ambient, &format!("{BALL}{gloss}"), 0.5), all.concat());
-            let (mean, _) = mean_of(&rendered(&text, Choice::default()), 0);
+            let (mean, _) = mean_of(&rendered(&text, ProgramOptions::default()), 0);
             let expected = if gloss.starts_with("material") { 2.0 } else { 2.5 };
             assert!((mean - expected).abs() < 1e-4, "{gloss}, {ambient}: {mean}");
         }
         // And beside the ball all of them.
         let text = format!("{}{}", floor("floor = 1", &format!("{BALL}{gloss}"), 3.0), all.concat());
-        let (mean, _) = mean_of(&rendered(&text, Choice::default()), 0);
+        let (mean, _) = mean_of(&rendered(&text, ProgramOptions::default()), 0);
         assert!((mean - 2.75).abs() < 1e-4, "{gloss}: {mean}");
     }
 }
@@ -105,7 +105,7 @@ fn lit(law: &str, objects: &str, light: &str) -> Rendering {
     let text = text.replace("[ambient]\nfloor = 1\n", law).replace("diffuse = [1, 0.5, 0]", "diffuse = [1, 1, 1]");
     rendered(
         &format!("{text}[[lights]]\n{light}shadows = \"straight-rays\"\ntransparent = \"tinted\"\n"),
-        Choice::default(),
+        ProgramOptions::default(),
     )
 }
 
@@ -186,12 +186,13 @@ fn lights_of_all_kinds_share_a_scene() {
     let glass = format!("{RAISED}interior = {{ kind = \"constant\", n = 1.5, absorption = [0.5, 0.5, 0.5] }}\n");
     let lights = [light(1.0, "ignored"), light(0.5, "tinted"), light(0.25, "opaque")].concat();
     let text = format!("{}{lights}", floor("floor = 1", &glass, 0.0));
-    let (mean, _) = mean_of(&rendered(&text, Choice::default()), 0);
+    let (mean, _) = mean_of(&rendered(&text, ProgramOptions::default()), 0);
     let expected = 1.0 + 1.0 + 0.5 * 0.25 * THROUGH;
     assert!((mean - expected).abs() < 1e-3, "{mean} for {expected}");
     // A dome of glass over the place: all ambient light comes through it head on.
     let dome = glass.replace("center = [0, 1.2, 0]", "center = [0, 0, 0]");
-    let (mean, error) = mean_of(&rendered(&floor("transparent = \"tinted\"", &dome, 0.0), Choice::default()), 0);
+    let (mean, error) =
+        mean_of(&rendered(&floor("transparent = \"tinted\"", &dome, 0.0), ProgramOptions::default()), 0);
     let expected = 0.96 * 0.5;
     assert!((mean - expected).abs() < 4.0 * error + 2e-3, "{mean} ± {error} for {expected}");
 }
@@ -217,11 +218,12 @@ fn bent_paths_find_as_much_open() {
                  [[law.sources]]\nkind = \"line\"\nposition = [-1, 0, 4]\ndirection = [0, 1, 0]\nstrength = -1\nfalloff = { cubic = 5 }\n";
     for law in [hole, force] {
         let lit = |ambient: &str| {
-            rendered(&bent_scene(law, ambient).replace("specular", "ambient = 1\nspecular"), Choice::default())
+            rendered(&bent_scene(law, ambient).replace("specular", "ambient = 1\nspecular"), ProgramOptions::default())
         };
         let [open, straight, whole] = ["[ambient]\nrays = \"law\"\n", "[ambient]\n", ""].map(lit);
         let more = "[path_tracing]\nmax_depth = 1\nlight_sampling = false\n[sky]\ncolor = [1, 1, 1]\n";
-        let paths = rendered(&bent_scene(&format!("lighting = \"path-tracing\"\n{law}"), more), Choice::default());
+        let paths =
+            rendered(&bent_scene(&format!("lighting = \"path-tracing\"\n{law}"), more), ProgramOptions::default());
         let at = |picture: &Rendering, i: usize| f64::from(picture.band.color[0][i]);
         // Pixels that show the floor and nothing else.
         let floor: Vec<usize> = (0..24 * 18).filter(|i| at(&whole, *i) > 0.9999).collect();
@@ -245,8 +247,11 @@ fn bent_paths_find_as_much_open() {
 #[test]
 fn every_schedule_sees_the_same() {
     let text = floor("", &format!("{BALL}material = \"m\"\n"), 1.2).replace("samples = 64", "samples = 3");
-    let usual = rendered(&text, Choice::default());
+    let usual = rendered(&text, ProgramOptions::default());
     for schedule in Schedule::ALL {
-        assert!(rendered(&text, Choice { schedule, ..Choice::default() }).band == usual.band, "{schedule:?}");
+        assert!(
+            rendered(&text, ProgramOptions { schedule, ..ProgramOptions::default() }).band == usual.band,
+            "{schedule:?}"
+        );
     }
 }

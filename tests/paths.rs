@@ -1,6 +1,6 @@
 //! Tests path tracing: furnaces, emitters against closed forms, and the same light with every kind of light sampling.
 
-use bentray::program::{Choice, Layer, RaySkipping, Schedule};
+use bentray::program::{Layer, ProgramOptions, RaySkipping, Schedule};
 use bentray::render::{Plane, RenderSettings, Renderer, Rendering, Status, Window};
 use bentray::scene::{Override, Scene};
 
@@ -23,14 +23,14 @@ pub fn rendered(scene: &Scene, settings: RenderSettings) -> Rendering {
 /// What a floor shows of a lamp is its albedo times E/π, aimed at or not.
 #[test]
 fn lamps_light_as_closed_forms_say() {
-    let lamps = [
+    let emitters = [
         ("shape = \"sphere\"\ncenter = [0, 4, 0]\nradius = 1", 0.0625),
         ("shape = \"sphere\"\ncenter = [3, 4, 1]\nradius = 1.5", 0.067_886_354_470_909_86),
         ("shape = \"sphere\"\ncenter = [5, 0.5, 0]\nradius = 2", 0.023_106_085_830_083_965),
         ("shape = \"disk\"\nscale = 1\ntranslate = [0, 2, 0]", 0.2),
         ("shape = \"box\"\ncenter = [0, 1.98, 0]\nsize = [0.5, 1e-6, 0.5]", 0.019_876_246_392_363_97),
     ];
-    for (lamp, form_factor) in lamps {
+    for (lamp, form_factor) in emitters {
         for aim in [true, false] {
             let text = format!(
                 "[image]\nsize = [16, 16]\nsamples = 64\n[camera]\nkind = \"orthographic\"\nheight = 1e-4\nposition = [0, 0.02, 0]\n\
@@ -128,20 +128,21 @@ fn every_schedule_gives_the_same_bits() {
             paths.light_sampling = aim;
         }
         let layers = vec![Layer::StandardError, Layer::Normal];
-        let of = |schedule, masks| Choice { schedule, masks, layers: layers.clone(), ..Choice::default() };
+        let of =
+            |schedule, masks| ProgramOptions { schedule, masks, layers: layers.clone(), ..ProgramOptions::default() };
         let usual = rendered(
             &scene,
-            RenderSettings { choice: of(Schedule::Whole, RaySkipping::List), ..RenderSettings::default() },
+            RenderSettings { options: of(Schedule::Whole, RaySkipping::List), ..RenderSettings::default() },
         );
         for schedule in Schedule::ALL {
             for masks in [RaySkipping::List, RaySkipping::Grid, RaySkipping::Off] {
-                let settings = RenderSettings { choice: of(schedule, masks), ..RenderSettings::default() };
+                let settings = RenderSettings { options: of(schedule, masks), ..RenderSettings::default() };
                 assert!(rendered(&scene, settings).band == usual.band, "{schedule:?} {masks:?}");
             }
         }
         let window = Window { origin: [5, 7], size: [8, 7] };
         let settings = RenderSettings {
-            choice: of(Schedule::Whole, RaySkipping::List),
+            options: of(Schedule::Whole, RaySkipping::List),
             window: Some(window),
             memory: 1 << 20,
             ..RenderSettings::default()
@@ -191,8 +192,8 @@ fn the_error_is_what_seeds_differ_by() {
     let of = |seed: &str| {
         let change: Override = format!("path_tracing.seed={seed}").parse().unwrap();
         let scene = Scene::parse(&text, std::path::Path::new("test.toml"), &[change]).unwrap();
-        let choice = Choice { layers: vec![Layer::StandardError], ..Choice::default() };
-        rendered(&scene, RenderSettings { choice, ..RenderSettings::default() })
+        let options = ProgramOptions { layers: vec![Layer::StandardError], ..ProgramOptions::default() };
+        rendered(&scene, RenderSettings { options, ..RenderSettings::default() })
     };
     let [a, b] = ["1", "2"].map(of);
     let Some(Plane::Scalar(errors)) = a.band.layer(Layer::StandardError) else { panic!("no errors") };
@@ -228,8 +229,8 @@ fn what_clamped_samples_lose_is_counted() {
     let pixels = f64::from(scene.image.size[0] * scene.image.size[1] * scene.image.samples);
     let mut first = None;
     for (schedule, tile_pixels) in [(Schedule::Whole, 1 << 20), (Schedule::Fused, 100)] {
-        let choice = Choice { schedule, ..Choice::default() };
-        let picture = rendered(&scene, RenderSettings { choice, tile_pixels, ..RenderSettings::default() });
+        let options = ProgramOptions { schedule, ..ProgramOptions::default() };
+        let picture = rendered(&scene, RenderSettings { options, tile_pixels, ..RenderSettings::default() });
         let clamped = picture.totals.clamped.unwrap();
         let lacks = pixels * (light(&whole) - light(&picture));
         assert!(clamped.samples > 100 && clamped.lost > 0.0, "{clamped}");

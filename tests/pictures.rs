@@ -6,7 +6,7 @@ use std::sync::Arc;
 
 use bentray::gpu::{Geometry, memory};
 use bentray::model::shape::{Cylinder, Disk};
-use bentray::program::{Choice, Layer, Program, Schedule};
+use bentray::program::{Layer, Program, ProgramOptions, Schedule};
 use bentray::render::{Band, Plane, RenderSettings, Renderer, Rendering, Status, pixel_starts, trace_paths};
 use bentray::scene::{Object, Scene};
 use glam::DVec3;
@@ -25,25 +25,25 @@ fn state_on_the_device_is_small() {
     for path in shipped_scenes() {
         let mut scene = Scene::load(&path, &[]).unwrap();
         let geometry = Geometry::new(&scene);
-        let bytes = |scene: &Scene, choice: &Choice| {
-            let program = Program::new(scene, &geometry.analysis, choice, geometry.extent()).unwrap();
+        let bytes = |scene: &Scene, options: &ProgramOptions| {
+            let program = Program::new(scene, &geometry.analysis, options, geometry.extent()).unwrap();
             memory(&program).bytes_per_pixel()
         };
-        let fused = || Choice { schedule: Schedule::Fused, ..Choice::default() };
+        let fused = || ProgramOptions { schedule: Schedule::Fused, ..ProgramOptions::default() };
         let plain = bytes(&scene, &fused());
         // W, where a path ends by τ, in two slots.
         let most = if scene.rays.max_parameter.is_some() { 104 + 2 * 16 } else { 104 };
         assert!(plain <= most, "{}: {plain} bytes a pixel", path.display());
-        let layered = bytes(&scene, &Choice { layers: Layer::ALL.to_vec(), ..fused() });
+        let layered = bytes(&scene, &ProgramOptions { layers: Layer::ALL.to_vec(), ..fused() });
         // Depth, segments, object, status, steps and redshift at 4 bytes, two vectors at 12; the steps, rejections and lengths that are summed
         // for them; and up to 12 bytes of padding before each vector and at the end.
         assert!(layered - plain <= 6 * 4 + 2 * 12 + 3 * 4 + 3 * 12, "{}: {layered}", path.display());
         scene.rays.max_segments = 100_000;
         assert_eq!(bytes(&scene, &fused()), plain);
         // A path in one pass leaves nothing but its color, which takes as much as four numbers.
-        assert_eq!(bytes(&scene, &Choice::default()), 4 * 4, "{}", path.display());
+        assert_eq!(bytes(&scene, &ProgramOptions::default()), 4 * 4, "{}", path.display());
         let masks = Schedule::Paper.masks();
-        let paper = bytes(&scene, &Choice { schedule: Schedule::Paper, masks, ..Choice::default() });
+        let paper = bytes(&scene, &ProgramOptions { schedule: Schedule::Paper, masks, ..ProgramOptions::default() });
         assert!(paper <= most, "{}: {paper} bytes a pixel", path.display());
     }
 }
@@ -59,8 +59,9 @@ fn depth_is_the_length_of_the_path() {
     let scene = scene(HOLE);
     let layers = vec![Layer::Depth, Layer::Status];
     let band = |schedule: Schedule| {
-        let choice = Choice { schedule, masks: schedule.masks(), layers: layers.clone(), ..Choice::default() };
-        rendered(&scene, RenderSettings { choice, ..RenderSettings::default() }).band
+        let options =
+            ProgramOptions { schedule, masks: schedule.masks(), layers: layers.clone(), ..ProgramOptions::default() };
+        rendered(&scene, RenderSettings { options, ..RenderSettings::default() }).band
     };
     let [whole, fused, segment] = [Schedule::Whole, Schedule::Fused, Schedule::Segment].map(band);
     let depths = |band: &Band| match band.layer(Layer::Depth) {
@@ -92,11 +93,11 @@ fn depth_is_the_length_of_the_path() {
 fn tiles_do_not_show() {
     let mut scene = scene(HOLE);
     scene.image.samples = 3;
-    let choice = Choice { layers: Layer::ALL.to_vec(), ..Choice::default() };
-    let whole = rendered(&scene, RenderSettings { choice: choice.clone(), ..RenderSettings::default() });
+    let options = ProgramOptions { layers: Layer::ALL.to_vec(), ..ProgramOptions::default() };
+    let whole = rendered(&scene, RenderSettings { options: options.clone(), ..RenderSettings::default() });
     for tile_pixels in [64, 1000] {
         let tiled =
-            rendered(&scene, RenderSettings { choice: choice.clone(), tile_pixels, ..RenderSettings::default() });
+            rendered(&scene, RenderSettings { options: options.clone(), tile_pixels, ..RenderSettings::default() });
         assert!(whole.band == tiled.band, "tiles of {tile_pixels} pixels");
         assert_eq!(whole.totals.by_status, tiled.totals.by_status);
         assert_eq!(whole.totals.steps, tiled.totals.steps);
@@ -209,8 +210,8 @@ fn crossings(object: &Object, from: DVec3, along: DVec3) -> Vec<f64> {
 #[test]
 fn cylinders_and_disks_are_where_they_are() {
     let scene = scene(ROUND);
-    let choice = Choice { layers: vec![Layer::Object], ..Choice::default() };
-    let picture = rendered(&scene, RenderSettings { choice, ..RenderSettings::default() });
+    let options = ProgramOptions { layers: vec![Layer::Object], ..ProgramOptions::default() };
+    let picture = rendered(&scene, RenderSettings { options, ..RenderSettings::default() });
     let [(_, Plane::Scalar(seen))] = &picture.band.layers[..] else { panic!("one layer") };
     let camera = scene.camera.as_ref().expect("a camera");
     let half = 25_f64.to_radians().tan();

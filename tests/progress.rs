@@ -4,7 +4,7 @@ use std::cell::RefCell;
 use std::time::Duration;
 
 use bentray::gpu::Gpu;
-use bentray::program::{Choice, Schedule};
+use bentray::program::{ProgramOptions, Schedule};
 use bentray::progress::Progress;
 use bentray::render::{Band, Preview, RenderError, RenderSettings, Renderer, Watch};
 use bentray::scene::Scene;
@@ -55,8 +55,8 @@ fn tiles_that_end_are_reported_though_a_sample_is_one_submission() {
         (Schedule::Fused, "image.adaptive=0.1"),
     ] {
         let ball = ball(&[keys]);
-        let choice = Choice { schedule, ..Choice::default() };
-        let settings = RenderSettings { choice, tile_pixels: 32 * 8, ..RenderSettings::default() };
+        let options = ProgramOptions { schedule, ..ProgramOptions::default() };
+        let settings = RenderSettings { options, tile_pixels: 32 * 8, ..RenderSettings::default() };
         let mut renderer = Renderer::new(&gpu, &ball, settings).unwrap();
         let mut rows = 0;
         let mut at_band = |band: Band| {

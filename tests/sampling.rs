@@ -1,6 +1,6 @@
 //! Adaptive sampling: more samples where the picture needs them, the same in every schedule and tile, and nothing silent.
 
-use bentray::program::{Choice, Layer, RaySkipping, Schedule};
+use bentray::program::{Layer, ProgramOptions, RaySkipping, Schedule};
 use bentray::render::{Adaptive, Plane, RenderSettings, Renderer, Rendering, Window};
 use bentray::scene::Scene;
 
@@ -74,7 +74,10 @@ fn rendered(scene: &Scene, settings: RenderSettings) -> Rendering {
 }
 
 fn with_layers(layers: &[Layer]) -> RenderSettings {
-    RenderSettings { choice: Choice { layers: layers.to_vec(), ..Choice::default() }, ..RenderSettings::default() }
+    RenderSettings {
+        options: ProgramOptions { layers: layers.to_vec(), ..ProgramOptions::default() },
+        ..RenderSettings::default()
+    }
 }
 
 /// How many rays each pixel took, and what the totals say of them.
@@ -88,8 +91,8 @@ fn counts(picture: &Rendering) -> (&[u32], Adaptive) {
 fn adaptive_pictures_do_not_depend_on_the_schedule() {
     let scene = scene(GLASS);
     let one = |schedule, masks, segments| {
-        let choice = Choice { schedule, masks, layers: Layer::ALL.to_vec(), ..Choice::default() };
-        rendered(&scene, RenderSettings { choice, segments, ..RenderSettings::default() })
+        let options = ProgramOptions { schedule, masks, layers: Layer::ALL.to_vec(), ..ProgramOptions::default() };
+        rendered(&scene, RenderSettings { options, segments, ..RenderSettings::default() })
     };
     let first = one(Schedule::Fused, RaySkipping::List, 16);
     let (samples, adaptive) = counts(&first);

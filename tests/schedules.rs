@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 
 use bentray::model::control::scaled;
-use bentray::program::{Choice, Layer, Schedule};
+use bentray::program::{Layer, ProgramOptions, Schedule};
 use bentray::render::{Plane, RenderSettings, Renderer, Rendering, Status, Window};
 use bentray::scene::{Rays, Scene};
 use glam::DVec3;
@@ -224,8 +224,9 @@ fn what_outlives_a_pass_is_followed_on() {
     let gpu = gpu();
     let scene = scene(&HOLE.replace("max_segments = 80", "max_segments = 200000\nscaled_step = 1e-4"));
     let tiled = |schedule: Schedule| {
-        let choice = Choice { schedule, layers: vec![Layer::Status, Layer::Steps], ..Choice::default() };
-        RenderSettings { choice, tile_pixels: 300, ..RenderSettings::default() }
+        let options =
+            ProgramOptions { schedule, layers: vec![Layer::Status, Layer::Steps], ..ProgramOptions::default() };
+        RenderSettings { options, tile_pixels: 300, ..RenderSettings::default() }
     };
     let render = |schedule: Schedule| {
         let mut renderer = Renderer::new(&gpu, &scene, tiled(schedule)).unwrap();
@@ -253,8 +254,8 @@ fn narrow_windows_are_columns_of_the_whole() {
     let (gpu, scene) = (gpu(), scene(HOLE));
     let [width, height] = scene.image.size;
     let of = |schedule, window| {
-        let choice = Choice { schedule, ..Choice::default() };
-        let settings = RenderSettings { choice, window, ..RenderSettings::default() };
+        let options = ProgramOptions { schedule, ..ProgramOptions::default() };
+        let settings = RenderSettings { options, window, ..RenderSettings::default() };
         Renderer::new(&gpu, &scene, settings).unwrap().render().unwrap().band
     };
     let whole = of(Schedule::Fused, None);
@@ -292,9 +293,9 @@ fn in_16_bits_paper_and_segment_round_alike() {
 fn ends(precision: &str) -> (Vec<u32>, Vec<DVec3>, Rendering) {
     let gpu = gpu();
     let scene = scene(&HOLE.replace("[rays]", &format!("[rays]\nprecision = \"{precision}\"")));
-    let choice = Choice { layers: vec![Layer::Status, Layer::Position], ..Choice::default() };
+    let options = ProgramOptions { layers: vec![Layer::Status, Layer::Position], ..ProgramOptions::default() };
     let picture =
-        Renderer::new(&gpu, &scene, RenderSettings { choice, ..RenderSettings::default() }).unwrap().render().unwrap();
+        Renderer::new(&gpu, &scene, RenderSettings { options, ..RenderSettings::default() }).unwrap().render().unwrap();
     let [(_, Plane::Id(statuses)), (_, Plane::Vector([x, y, z]))] = &picture.band.layers[..] else {
         panic!("two layers: {:?}", picture.band.layers)
     };

@@ -1,7 +1,7 @@
 //! How light shifts on its way, against closed forms and answers to 15 digits.
 
 use bentray::model::black_body;
-use bentray::program::{Choice, Layer, Schedule};
+use bentray::program::{Layer, ProgramOptions, Schedule};
 use bentray::render::{Plane, RenderSettings, Renderer, Rendering};
 use bentray::scene::Scene;
 use glam::DVec3;
@@ -11,8 +11,8 @@ use crate::support::{gpu, scene};
 
 /// With the places and the shifts of what is seen.
 pub fn rendered(scene: &Scene) -> Rendering {
-    let choice = Choice { layers: vec![Layer::Position, Layer::Redshift], ..Choice::default() };
-    let settings = RenderSettings { choice, ..RenderSettings::default() };
+    let options = ProgramOptions { layers: vec![Layer::Position, Layer::Redshift], ..ProgramOptions::default() };
+    let settings = RenderSettings { options, ..RenderSettings::default() };
     Renderer::new(&gpu(), scene, settings).unwrap().render().unwrap()
 }
 
@@ -106,8 +106,9 @@ fn light_shifts_in_time_as_series_say() {
             let seen: Vec<f32> = schedules
                 .iter()
                 .map(|&schedule| {
-                    let choice = Choice { schedule, layers: vec![Layer::Redshift], ..Choice::default() };
-                    let settings = RenderSettings { choice, ..RenderSettings::default() };
+                    let options =
+                        ProgramOptions { schedule, layers: vec![Layer::Redshift], ..ProgramOptions::default() };
+                    let settings = RenderSettings { options, ..RenderSettings::default() };
                     shifts(&Renderer::new(&gpu(), &scene, settings).unwrap().render().unwrap())[0]
                 })
                 .collect();

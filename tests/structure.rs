@@ -3,7 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 
-use bentray::program::{Part, Pass, all_parts, constant};
+use bentray::program::{Pass, ShaderModule, all_parts, constant};
 
 fn files(folder: &Path, extension: &str) -> Vec<PathBuf> {
     let mut found = Vec::new();
@@ -153,7 +153,8 @@ fn what_the_host_names_is_in_the_shaders() {
             if !plain || !areas.contains(area(literal)) {
                 continue;
             }
-            let is = |part: &&Part| part.file.strip_prefix(literal).is_some_and(|rest| rest.starts_with(['.', '/']));
+            let is =
+                |part: &&ShaderModule| part.file.strip_prefix(literal).is_some_and(|rest| rest.starts_with(['.', '/']));
             assert!(parts.iter().any(|part| is(&part)), "{} names `{literal}`", file.display());
             let constant_name = next.chars().all(|c| c.is_ascii_uppercase() || c == '_');
             if *between == ", " && constant_name {

@@ -2,6 +2,7 @@
 
 mod support;
 
+mod absorptions;
 mod accelerate;
 mod accuracy;
 mod cameras;
@@ -15,7 +16,6 @@ mod dispersion;
 mod ergospheres;
 mod exactness;
 mod fans;
-mod filters;
 mod footprints;
 mod furnaces;
 mod fuzz;

@@ -3,7 +3,7 @@
 #![allow(clippy::float_cmp)] // of a ball each sample is covered or not
 
 use bentray::output::{film, lost_alpha};
-use bentray::program::{Choice, Schedule};
+use bentray::program::{ProgramOptions, Schedule};
 use bentray::progress::Progress;
 use bentray::render::{RenderSettings, Renderer, Rendering};
 use bentray::scene::{Scene, Sky};
@@ -11,8 +11,8 @@ use bentray::scene::{Scene, Sky};
 use crate::support::{gpu, scene};
 
 fn rendered(scene: &Scene, schedule: Schedule) -> Rendering {
-    let choice = Choice { schedule, masks: schedule.masks(), ..Choice::default() };
-    let settings = RenderSettings { choice, ..RenderSettings::default() };
+    let options = ProgramOptions { schedule, masks: schedule.masks(), ..ProgramOptions::default() };
+    let settings = RenderSettings { options, ..RenderSettings::default() };
     Renderer::new(&gpu(), scene, settings).unwrap().render().unwrap()
 }
 

@@ -1,6 +1,6 @@
 //! Objects that move, seen where they were when their light left them, against closed forms and objects at rest.
 
-use bentray::program::{Choice, Layer, Schedule};
+use bentray::program::{Layer, ProgramOptions, Schedule};
 use bentray::render::{RenderSettings, Renderer, Status, trace};
 use bentray::scene::Observer;
 use glam::{DMat3, DVec3};
@@ -180,8 +180,8 @@ fn moving_objects_are_the_same_in_all_schedules() {
     };
     let picture = |text: &str, schedule: Schedule, accelerate: &str| {
         let scene = scene(&text.replace("[rays]\n", &format!("[rays]\nacceleration = \"{accelerate}\"\n")));
-        let choice = Choice { schedule, layers: vec![Layer::Position], ..Choice::default() };
-        let settings = RenderSettings { choice, ..RenderSettings::default() };
+        let options = ProgramOptions { schedule, layers: vec![Layer::Position], ..ProgramOptions::default() };
+        let settings = RenderSettings { options, ..RenderSettings::default() };
         Renderer::new(&gpu(), &scene, settings).unwrap().render().unwrap()
     };
     let now = text(11.0, 0.0);

@@ -4,7 +4,7 @@
 use std::fmt::Write as _;
 
 use bentray::gpu::Geometry;
-use bentray::program::{Analysis, Choice, Program, Schedule};
+use bentray::program::{Analysis, Program, ProgramOptions, Schedule};
 use bentray::render::{RenderSettings, Renderer};
 use bentray::scene::Scene;
 use glam::{DMat3, DVec3};
@@ -66,8 +66,8 @@ fn scene(n: u32, rays: &str, materials: &str, objects: &[String]) -> Scene {
 
 /// Compares each pixel with `expected`, of the object that it sees, counted from 0, and the position in that object's own space.
 fn check(scene: &Scene, schedule: Schedule, tolerance: f64, expected: impl Fn(usize, DVec3) -> DVec3) {
-    let choice = Choice { schedule, ..Choice::default() };
-    let settings = RenderSettings { choice, ..RenderSettings::default() };
+    let options = ProgramOptions { schedule, ..ProgramOptions::default() };
+    let settings = RenderSettings { options, ..RenderSettings::default() };
     let band = Renderer::new(&gpu(), scene, settings).unwrap().render().unwrap().band;
     let mut seen = 0;
     for (i, (row, column)) in (0..SIZE).flat_map(|row| (0..SIZE).map(move |column| (row, column))).enumerate() {
@@ -166,7 +166,7 @@ fn scenes_that_do_not_use_vertex_colors_do_not_pay_for_them() {
     let linked = |material: &str| {
         let scene = scene(1, "", &format!("materials.m = {{ diffuse = {material} }}"), &[PLACE.to_owned()]);
         let geometry = Geometry::new(&scene);
-        let program = Program::new(&scene, &geometry.analysis, &Choice::default(), geometry.extent()).unwrap();
+        let program = Program::new(&scene, &geometry.analysis, &ProgramOptions::default(), geometry.extent()).unwrap();
         program.passes.iter().map(|(_, linked, _)| linked.source.contains("note_corners")).collect::<Vec<bool>>()
     };
     assert_eq!(linked("[1, 1, 1]"), [false]);

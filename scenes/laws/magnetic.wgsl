@@ -6,6 +6,6 @@ fn field(x: Real3) -> Real3 {
     return (law.strength * real_exp(-dot(across, across) / (law.width * law.width))) * law.axis;
 }
 
-fn law_pull(x: Real3, v: Real3) -> Real3 {
+fn law_acceleration_by_velocity(x: Real3, v: Real3) -> Real3 {
     return cross(v, field(x));
 }

@@ -1,7 +1,7 @@
 // A wall that light bounces off, moving along its normal: a smooth step of potential, so steep that it turns
 // slower rays back. Rays that meet the wall while it approaches come back faster.
 
-fn law_pull_at(x: Real3, v: Real3, tau: Real) -> Real3 {
+fn law_acceleration_by_time(x: Real3, v: Real3, tau: Real) -> Real3 {
     let depth = (dot(x, law.normal) - law.offset - law.speed * tau) / law.width;
     // The slope of height / (1 + e^(-depth)), without overflow on either side.
     let e = real_exp(-abs(depth));

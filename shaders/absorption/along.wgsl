@@ -4,7 +4,7 @@
 // A step is cut into pieces. Each is integrated by the two-point Gauss rule and again in halves, until the two results agree; Richardson
 // extrapolation then gives a value better than both. Positions on a curved step are retaken, so that they are as exact as the step itself.
 
-struct Filter {
+struct Absorption {
     // The color after a unit length of a uniform absorber, or the color where a texture is 0.
     color: vec3f,
     kind: u32,
@@ -17,7 +17,7 @@ struct Filter {
     // The largest length of a piece.
     piece: f32,
     // The radiance that the medium emits, per unit length.
-    glow: vec3f,
+    emission: vec3f,
     // Lattice cells per unit length.
     frequency: f32,
     axis: vec3f,
@@ -29,7 +29,7 @@ struct Filter {
     which: u32,
 }
 
-var<storage, read> filters: array<Filter>;
+var<storage, read> absorptions: array<Absorption>;
 
 // Half the distance between the two Gauss points, as a fraction of a piece.
 const GAUSS: Real = 0.28867513459481287;
@@ -46,48 +46,48 @@ struct Depths {
     halves: vec4f,
 }
 
-var<private> filter_slips: bool;
+var<private> absorption_slips: bool;
 
-fn filter_step(ray: Ray, next: Ray) {
+fn absorption_step(ray: Ray, next: Ray) {
     if SEES_GLOW {
         note_glow();
     }
-    filter_part(ray.phase, own_size(ray, next));
+    absorption_part(ray.phase, own_size(ray, next));
 }
 
 // Adds the absorption of the step on which a path ended, up to its end.
-fn filter_last(ray: Ray, end: PathPoint) {
+fn absorption_last(ray: Ray, end: PathPoint) {
     if SEES_GLOW {
         note_glow();
     }
-    filter_end(ray, end);
+    absorption_end(ray, end);
 }
 
-fn filter_end(ray: Ray, end: PathPoint) {
+fn absorption_end(ray: Ray, end: PathPoint) {
     if end.fraction > 0.0 {
         let step = last_step(ray);
-        filter_part(step.phase, end.fraction * step.h);
+        absorption_part(step.phase, end.fraction * step.h);
     }
 }
 
 // Adds the absorption of the last step, after a surface has put the ray into another region and on a branch; `came_through` is the region
 // that the ray passed.
-fn filter_left(ray: Ray, end: PathPoint, came_through: u32) {
+fn absorption_left(ray: Ray, end: PathPoint, came_through: u32) {
     let now = region_bits();
     enter_set(came_through);
-    filter_end(ray, end);
+    absorption_end(ray, end);
     enter_set(now);
 }
 
 // Adds the absorption of a segment between two slots of the state, if its ray continues after it.
-fn filter_passed(spot: ActiveRay, lives: bool) {
+fn absorption_passed(spot: ActiveRay, lives: bool) {
     if lives {
-        load_weight(spot.pixel);
+        load_throughput(spot.pixel);
         let ray = load_ray(spot.pixel, spot.word);
-        if FILTERS {
-            filter_step(ray, accepted_step(ray));
+        if ABSORBS {
+            absorption_step(ray, accepted_step(ray));
         }
-        store_weight(spot.pixel);
+        store_throughput(spot.pixel);
     }
 }
 
@@ -103,23 +103,23 @@ fn path_pace(p: Phase) -> Real {
 }
 
 // Returns the point of the texture at h behind p.
-fn place_in_filter(filter_at: Filter, p: Phase, h: Real) -> Real3 {
-    return track_place(p, h).xyz - filter_at.center;
+fn place_in_absorption(absorption: Absorption, p: Phase, h: Real) -> Real3 {
+    return track_place(p, h).xyz - absorption.center;
 }
 
 // Adds the absorption of the stretch of size h, in the parameter of the step, that begins at p.
-fn filter_part(p: Phase, h: Real) {
-    let filter_at = filters[filter_place()];
+fn absorption_part(p: Phase, h: Real) {
+    let absorption = absorptions[absorption_place()];
     let speed = f32(track_pace(p));
-    let longest = min(h, Real(filter_at.piece / max(speed, 1e-30)));
+    let longest = min(h, Real(absorption.piece / max(speed, 1e-30)));
     var size = longest;
     var a: Real = 0.0;
-    filter_slips = false;
+    absorption_slips = false;
     for (var k = 0u; k <= FILTER_PIECES && a < h; k++) {
         let rest = h - a;
         let is_last = k == FILTER_PIECES || is_spent();
         let own = select(min(size, rest), rest, is_last || size >= 0.999 * rest);
-        let depths = depths_over(filter_at, p, a, own);
+        let depths = depths_over(absorption, p, a, own);
         let whole = depths.whole;
         let halves = depths.halves;
         let off = abs(halves.xyz - whole.xyz);
@@ -127,24 +127,24 @@ fn filter_part(p: Phase, h: Real) {
         let deep = max(halves.x, max(halves.y, halves.z));
         // A piece may use the share of a step's tolerance that its length has, down to a minimum.
         let share = max(f32(own / h), LEAST_SHARE);
-        let agrees = apart <= max(share * filter_at.tolerance, FILTER_ROUNDING * deep);
-        filter_slips = filter_slips || (!agrees && is_last);
+        let agrees = apart <= max(share * absorption.tolerance, FILTER_ROUNDING * deep);
+        absorption_slips = absorption_slips || (!agrees && is_last);
         if agrees || is_last {
             let depth = max(halves + (halves - whole) / 15.0, vec4f(0.0));
-            take_piece(filter_at, track_place(p, a + 0.5 * own).xyz, depth);
+            take_piece(absorption, track_place(p, a + 0.5 * own).xyz, depth);
             a += own;
             size = min(2.0 * size, longest);
         } else {
-            size = smaller_piece(filter_at, p, a, own);
+            size = smaller_piece(absorption, p, a, own);
         }
     }
-    if filter_slips {
+    if absorption_slips {
         tally_at_once(UNFILTERED);
     }
 }
 
 // Returns the optical depth of a piece that begins at a, and its length, by the Gauss rule: for the whole piece, and for its halves.
-fn depths_over(filter_at: Filter, p: Phase, a: Real, size: Real) -> Depths {
+fn depths_over(absorption: Absorption, p: Phase, a: Real, size: Real) -> Depths {
     var depths = Depths(vec4f(0.0), vec4f(0.0));
     // A loop, because the code of a texture's density is long: two points of the whole, then two of either half.
     for (var i = 0u; i < 6u; i++) {
@@ -152,7 +152,7 @@ fn depths_over(filter_at: Filter, p: Phase, a: Real, size: Real) -> Depths {
         let middle = select(0.5, select(0.25, 0.75, i >= 4u), in_halves);
         let part = select(1.0, 0.5, in_halves);
         let side = select(-GAUSS, GAUSS, (i & 1u) == 1u);
-        let rate = depth_rate(filter_at, track_place(p, a + (Real(middle) + Real(part) * side) * size));
+        let rate = depth_rate(absorption, track_place(p, a + (Real(middle) + Real(part) * side) * size));
         let depth = 0.5 * part * f32(size) * rate;
         depths.whole += select(depth, vec4f(0.0), in_halves);
         depths.halves += select(vec4f(0.0), depth, in_halves);
@@ -160,10 +160,10 @@ fn depths_over(filter_at: Filter, p: Phase, a: Real, size: Real) -> Depths {
     return depths;
 }
 
-fn depth_rate(filter_at: Filter, q: Real4) -> vec4f {
-    let density = filter_density(filter_at, q.xyz - filter_at.center);
+fn depth_rate(absorption: Absorption, q: Real4) -> vec4f {
+    let density = absorption_density(absorption, q.xyz - absorption.center);
     let there = all(density >= vec3f(0.0));
-    filter_slips = filter_slips || !there;
+    absorption_slips = absorption_slips || !there;
     return f32(q.w) * vec4f(select(vec3f(0.0), density, there), 1.0);
 }
 
@@ -173,7 +173,7 @@ fn density_of(color: vec3f) -> vec3f {
 }
 
 // Each region has its own absorption, and the space outside all regions has the last one.
-fn filter_place() -> u32 {
+fn absorption_place() -> u32 {
     if !HAS_REGIONS {
         return 0u;
     }

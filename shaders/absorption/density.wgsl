@@ -4,24 +4,24 @@
 
 const EVEN: u32 = 0u;
 
-fn density_even(filter_at: Filter, q: Real3) -> vec3f {
-    return filter_at.color;
+fn density_even(absorption: Absorption, q: Real3) -> vec3f {
+    return absorption.color;
 }
 
 // A coefficient that the user wrote as formulas of the position.
 
 const FORMULA: u32 = 1u;
 
-fn density_formula(filter_at: Filter, q: Real3) -> vec3f {
-    return filter_formula(filter_at.which, q);
+fn density_formula(absorption: Absorption, q: Real3) -> vec3f {
+    return absorption_formula(absorption.which, q);
 }
 
 // A color that the user wrote as formulas of the position; values outside [0, 1] are invalid.
 
 const COLOR_FORMULA: u32 = 2u;
 
-fn density_color_formula(filter_at: Filter, q: Real3) -> vec3f {
-    let color = filter_formula(filter_at.which, q);
+fn density_color_formula(absorption: Absorption, q: Real3) -> vec3f {
+    let color = absorption_formula(absorption.which, q);
     return select(vec3f(-1.0), density_of(color), color >= vec3f(0.0) & color <= vec3f(1.0 + 1e-6));
 }
 
@@ -29,23 +29,23 @@ fn density_color_formula(filter_at: Filter, q: Real3) -> vec3f {
 
 const MIX: u32 = 3u;
 
-fn density_mix(filter_at: Filter, q: Real3, sum: f32) -> vec3f {
-    return density_of(mix(filter_at.color, filter_at.high, texture_share(filter_at, sum)));
+fn density_mix(absorption: Absorption, q: Real3, sum: f32) -> vec3f {
+    return density_of(mix(absorption.color, absorption.high, texture_share(absorption, sum)));
 }
 
 // A transition between two colors, repeated several times (T 2.4.3).
 
 const WRAPPED: u32 = 4u;
 
-fn density_wrapped(filter_at: Filter, q: Real3, sum: f32) -> vec3f {
-    return density_of(mix(filter_at.color, filter_at.high, fract(filter_at.times * texture_share(filter_at, sum))));
+fn density_wrapped(absorption: Absorption, q: Real3, sum: f32) -> vec3f {
+    return density_of(mix(absorption.color, absorption.high, fract(absorption.times * texture_share(absorption, sum))));
 }
 
 // Seven colors, linear in between. The rainbow of T comes from an equation that T does not print; this one is different.
 
 const RAINBOW: u32 = 5u;
 
-fn density_rainbow(filter_at: Filter, q: Real3, sum: f32) -> vec3f {
+fn density_rainbow(absorption: Absorption, q: Real3, sum: f32) -> vec3f {
     var stops = array<vec3f, 7>(
         vec3f(0.95, 0.15, 0.15),
         vec3f(0.95, 0.55, 0.12),
@@ -55,7 +55,7 @@ fn density_rainbow(filter_at: Filter, q: Real3, sum: f32) -> vec3f {
         vec3f(0.2, 0.25, 0.95),
         vec3f(0.65, 0.2, 0.9),
     );
-    let at = 6.0 * texture_share(filter_at, sum);
+    let at = 6.0 * texture_share(absorption, sum);
     let stop = min(u32(at), 5u);
     return density_of(mix(stops[stop], stops[stop + 1u], at - f32(stop)));
 }
@@ -64,16 +64,16 @@ fn density_rainbow(filter_at: Filter, q: Real3, sum: f32) -> vec3f {
 
 const RAMP: u32 = 6u;
 
-fn density_ramp(filter_at: Filter, q: Real3, sum: f32) -> vec3f {
-    return density_of(min(image_sample(filter_at.which, vec2f(texture_share(filter_at, sum), 0.5), false), vec3f(1.0)));
+fn density_ramp(absorption: Absorption, q: Real3, sum: f32) -> vec3f {
+    return density_of(min(image_sample(absorption.which, vec2f(texture_share(absorption, sum), 0.5), false), vec3f(1.0)));
 }
 
 // The row of an image along an axis, in waves that noise disturbs (Suffern 2007): u = (1 + sin(y + a s))/2.
 
 const MARBLE: u32 = 7u;
 
-fn density_marble(filter_at: Filter, q: Real3, sum: f32) -> vec3f {
-    let along = filter_at.frequency * dot(filter_at.axis, vec3f(q));
-    let share = 0.5 + 0.5 * sin(along + filter_at.times * sum);
-    return density_of(min(image_sample(filter_at.which, vec2f(share, 0.5), false), vec3f(1.0)));
+fn density_marble(absorption: Absorption, q: Real3, sum: f32) -> vec3f {
+    let along = absorption.frequency * dot(absorption.axis, vec3f(q));
+    let share = 0.5 + 0.5 * sin(along + absorption.times * sum);
+    return density_of(min(image_sample(absorption.which, vec2f(share, 0.5), false), vec3f(1.0)));
 }

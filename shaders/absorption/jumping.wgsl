@@ -8,15 +8,15 @@ const JUMP_LOOKS: u32 = 22u;
 const BESIDE_JUMP: Real = 1e-6;
 
 // Returns the number of times that a texture has wrapped at a position, with the fraction of the next turn.
-fn turns_at(filter_at: Filter, p: Phase, h: Real) -> Real {
-    if filter_at.kind != WRAPPED {
+fn turns_at(absorption: Absorption, p: Phase, h: Real) -> Real {
+    if absorption.kind != WRAPPED {
         return 0.0;
     }
-    return Real(filter_at.times * texture_share(filter_at, texture_sum(filter_at, place_in_filter(filter_at, p, h))));
+    return Real(absorption.times * texture_share(absorption, texture_sum(absorption, place_in_absorption(absorption, p, h))));
 }
 
-fn smaller_piece(filter_at: Filter, p: Phase, a: Real, own: Real) -> Real {
-    if !FILTERS_JUMP {
+fn smaller_piece(absorption: Absorption, p: Phase, a: Real, own: Real) -> Real {
+    if !ABSORPTION_JUMPS {
         return 0.5 * own;
     }
     let beside = BESIDE_JUMP * own;
@@ -35,7 +35,7 @@ fn smaller_piece(filter_at: Filter, p: Phase, a: Real, own: Real) -> Real {
         let line = before + (behind - before) * near / select(slope, 1.0, slope == 0.0);
         let between = clamp(line, before + beside, max(behind - beside, before + beside));
         let at = select(select(between, behind, i == 1u), before, i == 0u);
-        let turns = turns_at(filter_at, p, a + at);
+        let turns = turns_at(absorption, p, a + at);
         if i == 0u {
             wraps = floor(turns);
             near = turns;

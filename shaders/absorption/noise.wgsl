@@ -24,12 +24,12 @@ fn noise_value(p: Real3, seed: u32) -> Real {
     return dot(layers, spline_weights(t.z));
 }
 
-fn texture_sum(filter_at: Filter, q: Real3) -> f32 {
+fn texture_sum(absorption: Absorption, q: Real3) -> f32 {
     var sum: Real = 0.0;
     var weight: Real = 1.0;
-    var place_in_octave = Real(filter_at.frequency) * q;
-    for (var j = 0u; j < filter_at.octaves; j++) {
-        sum += weight * noise_value(place_in_octave, filter_at.seed);
+    var place_in_octave = Real(absorption.frequency) * q;
+    for (var j = 0u; j < absorption.octaves; j++) {
+        sum += weight * noise_value(place_in_octave, absorption.seed);
         place_in_octave *= 2.0;
         weight *= 0.5;
     }
@@ -37,7 +37,7 @@ fn texture_sum(filter_at: Filter, q: Real3) -> f32 {
 }
 
 // Returns the value in [0, 1] for `sum`, the sum of the texture at a position.
-fn texture_share(filter_at: Filter, sum: f32) -> f32 {
-    let most = 2.0 - exp2(1.0 - f32(filter_at.octaves));
+fn texture_share(absorption: Absorption, sum: f32) -> f32 {
+    let most = 2.0 - exp2(1.0 - f32(absorption.octaves));
     return clamp(0.5 * sum / most + 0.5, 0.0, 1.0);
 }

@@ -14,7 +14,7 @@ fn filtered_share(start: Real3, way: Real3) -> vec3f {
     line_start = start;
     line_way = way;
     line_depth = vec3f(0.0);
-    filter_part(Phase(), 1.0);
+    absorption_part(Phase(), 1.0);
     on_line = false;
     return exp(-line_depth);
 }
@@ -38,14 +38,14 @@ fn track_pace(p: Phase) -> Real {
 }
 
 // Media add no emission to the light of a light source.
-fn take_piece(filter_at: Filter, x: Real3, depth: vec4f) {
+fn take_piece(absorption: Absorption, x: Real3, depth: vec4f) {
     if WEAKENS_LINES {
         if on_line {
             line_depth += depth.xyz;
             return;
         }
     }
-    pass_piece(filter_at, x, depth);
+    pass_piece(absorption, x, depth);
 }
 
 // True if no other branch has added the emission of media on this stretch.
@@ -56,16 +56,16 @@ fn note_glow() {
     glow_counts = glow_is_new();
 }
 
-fn pass_piece(filter_at: Filter, x: Real3, depth: vec4f) {
+fn pass_piece(absorption: Absorption, x: Real3, depth: vec4f) {
     if !SEES_GLOW {
-        scale_weight(exp(-depth.xyz));
+        scale_throughput(exp(-depth.xyz));
         return;
     }
     // (1 − e⁻ᵃ)/a, by its series where the difference would lose all digits.
     let a = depth.xyz;
     let share = select((1.0 - exp(-a)) / max(a, vec3f(1e-30)), 1.0 - a * (0.5 - a / 6.0), a < vec3f(1e-2));
     if glow_counts {
-        gather(depth.w * share * filter_at.glow, x);
+        gather(depth.w * share * absorption.emission, x);
     }
-    scale_weight(exp(-a));
+    scale_throughput(exp(-a));
 }

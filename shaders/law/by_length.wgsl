@@ -2,7 +2,7 @@
 // of ½|v|² + V.
 
 fn law_derivative(p: Phase) -> Phase {
-    return Phase(normalize(p[1]), law_acceleration(p[0], law_held(p)));
+    return Phase(normalize(p[1]), law_acceleration(p[0], law_ray_constant(p)));
 }
 
 // Returns x″, for the step control by curvature.

@@ -13,16 +13,16 @@ struct Law {
 var<uniform> law: Law;
 
 // Returns h² = |x × v|².
-fn law_held(p: Phase) -> Real {
+fn law_ray_constant(p: Phase) -> Real {
     let l = cross(p[0] - law.center, p[1]);
     return dot(l, l);
 }
 
-fn law_acceleration(at: Real3, held: Real) -> Real3 {
+fn law_acceleration(at: Real3, constant: Real) -> Real3 {
     let x = at - law.center;
     let r2 = dot(x, x);
     let r = sqrt(r2);
-    return (held / (r2 * r2 * r2) * (2.0 * law.charge_squared - 3.0 * law.mass * r)) * x;
+    return (constant / (r2 * r2 * r2) * (2.0 * law.charge_squared - 3.0 * law.mass * r)) * x;
 }
 
 // Returns the tau over which the law changes: the distance r divided by the speed.

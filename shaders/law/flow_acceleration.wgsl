@@ -1,6 +1,6 @@
 // The field of a dynamical system as an acceleration: W04 Eq. 1 read literally, dx = v, dv = F(x).
 
-fn law_acceleration(x: Real3, held: Real) -> Real3 {
+fn law_acceleration(x: Real3, constant: Real) -> Real3 {
     return flow_field(x);
 }
 

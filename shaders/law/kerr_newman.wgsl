@@ -41,7 +41,7 @@ fn kerr_schild(x: Real3) -> KerrSchild {
     return KerrSchild(l, f, slope, 0.5 * r / d, 0.5 * a_cos / d);
 }
 
-fn law_pull(at: Real3, v: Real3) -> Real3 {
+fn law_acceleration_by_velocity(at: Real3, v: Real3) -> Real3 {
     let g = kerr_schild(at - law.center);
     let along = dot(g.l, v);
     let w = 1.0 - along;

@@ -32,11 +32,11 @@ fn metric_place(x: Real3) -> Real3 {
     return x - law.center;
 }
 
-fn law_pull(at: Real3, v: Real3) -> Real3 {
+fn law_acceleration_by_velocity(at: Real3, v: Real3) -> Real3 {
     return metric_pull(metric_bend(metric_place(at), v, 0.0), v);
 }
 
-fn law_pull_at(at: Real3, v: Real3, tau: Real) -> Real3 {
+fn law_acceleration_by_time(at: Real3, v: Real3, tau: Real) -> Real3 {
     return metric_pull(metric_bend(metric_place(at), v, law.time - tau), v);
 }
 

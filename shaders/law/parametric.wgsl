@@ -36,7 +36,7 @@ fn law_start(x: Real3, v: Real3) -> Phase {
     return Phase(Real4(x + law.offset, 0.0), Real4(ray_curve(0.0)[1], 0.0));
 }
 
-fn law_pull_at(x: Real3, v: Real3, tau: Real) -> Real3 {
+fn law_acceleration_by_time(x: Real3, v: Real3, tau: Real) -> Real3 {
     return law_axes(curve_pull(law.first + tau));
 }
 

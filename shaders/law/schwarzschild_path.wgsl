@@ -10,15 +10,15 @@ struct Law {
 var<uniform> law: Law;
 
 // Returns h² = |x × v|².
-fn law_held(p: Phase) -> Real {
+fn law_ray_constant(p: Phase) -> Real {
     let l = cross(p[0] - law.center, p[1]);
     return dot(l, l);
 }
 
-fn law_acceleration(at: Real3, held: Real) -> Real3 {
+fn law_acceleration(at: Real3, constant: Real) -> Real3 {
     let x = at - law.center;
     let r2 = dot(x, x);
-    return (-3.0 * law.mass * held / (r2 * r2 * sqrt(r2))) * x;
+    return (-3.0 * law.mass * constant / (r2 * r2 * sqrt(r2))) * x;
 }
 
 // Returns the tau over which the law changes: the distance r divided by the speed.

@@ -4,7 +4,7 @@
 // A length that is larger than any scene.
 const FAR_AWAY: Real = 1e30;
 
-fn law_acceleration(x: Real3, held: Real) -> Real3 {
+fn law_acceleration(x: Real3, constant: Real) -> Real3 {
     return source_acceleration(x);
 }
 

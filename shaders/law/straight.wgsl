@@ -1,6 +1,6 @@
 // Straight lines, followed by a general solver: the baseline for the other laws.
 
-fn law_acceleration(x: Real3, held: Real) -> Real3 {
+fn law_acceleration(x: Real3, constant: Real) -> Real3 {
     return Real3(0.0);
 }
 

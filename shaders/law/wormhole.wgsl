@@ -25,7 +25,7 @@ fn mouth_offset(x: Real3) -> Real3 {
     return select(here, there, dot(there, there) < dot(here, here));
 }
 
-fn law_pull(at: Real3, v: Real3) -> Real3 {
+fn law_acceleration_by_velocity(at: Real3, v: Real3) -> Real3 {
     let x = mouth_offset(at);
     let away = length(x);
     let n = x / away;

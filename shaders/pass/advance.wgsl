@@ -5,7 +5,7 @@
 @compute @workgroup_size(GROUP)
 fn advance(own: Invocation) {
     let spot = active_ray(own);
-    load_weight(spot.pixel);
+    load_throughput(spot.pixel);
     if AIMS {
         load_waiting(spot.pixel);
     }

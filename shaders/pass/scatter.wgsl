@@ -5,14 +5,14 @@
 fn scatter(own: Invocation) {
     let spot = active_ray(own);
     if spot.valid && may_scatter(spot.code) {
-        load_weight(spot.pixel);
+        load_throughput(spot.pixel);
         if AIMS {
             load_waiting(spot.pixel);
         }
         load_branches(spot.pixel);
         var met = load_hit(spot.pixel);
         let next = scatter_ray(load_ray(spot.pixel, spot.word), &met, spot.pixel);
-        store_weight(spot.pixel);
+        store_throughput(spot.pixel);
         if AIMS {
             store_waiting(spot.pixel);
         }

@@ -7,7 +7,7 @@ fn setup(own: Invocation) {
     let ray = path_start(pixel);
     if spot.valid {
         store_region(pixel);
-        store_weight(pixel);
+        store_throughput(pixel);
         store_branches(pixel);
         store_ray(pixel, ray);
         store_counts(pixel, ray);

@@ -7,7 +7,7 @@ fn shade(own: Invocation) {
     let followed = spot.valid && status_code(load_status(pixel)) != RESTING;
     if followed {
         load_region(pixel);
-        load_weight(pixel);
+        load_throughput(pixel);
         let ray = load_ended(pixel);
         shade_ray(pixel, ray, load_hit(pixel));
         tally_status(lit_status(ray.status, EXHAUSTED));

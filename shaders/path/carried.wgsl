@@ -3,12 +3,12 @@
 
 struct Carried {
     // The throughput: the product of the surfaces' reflected or transmitted fractions.
-    weight: vec3f,
+    throughput: vec3f,
     // n² at the camera.
     camera: f32,
     // The light found so far, as the camera sees it.
     gathered: vec3f,
-    // The weight of emission that is met next, when it is also sampled by next-event estimation (Veach 1997, the balance heuristic).
+    // The throughput of emission that is met next, when it is also sampled by next-event estimation (Veach 1997, the balance heuristic).
     share: f32,
     // The number of surfaces that scattered the path so far.
     scatterings: u32,
@@ -29,33 +29,33 @@ const OWN: u32 = 0u;
 // No ray: the path ended on a surface, or by Russian roulette.
 const OVER: u32 = 1u;
 
-fn load_weight(pixel: vec2u) {
+fn load_throughput(pixel: vec2u) {
     if DRAWS_WAVELENGTH {
         draw_wavelength(pixel);
     }
     carried = pixel_path[place_in_tile(pixel)];
 }
 
-fn store_weight(pixel: vec2u) {
+fn store_throughput(pixel: vec2u) {
     pixel_path[place_in_tile(pixel)] = carried;
 }
 
-fn start_weight(x: Real3) {
+fn start_throughput(x: Real3) {
     carried = Carried(vec3f(1.0), 1.0, vec3f(0.0), 1.0, 0u, OWN, 0u, 0u);
     let n = medium_index(x);
     carried.camera = f32(n * n);
 }
 
 // Multiplies the throughput by `factor`, and returns `true` if it is then negligible.
-fn scale_weight(factor: vec3f) -> bool {
-    carried.weight *= factor;
-    return max(carried.weight.x, max(carried.weight.y, carried.weight.z)) < DARK;
+fn scale_throughput(factor: vec3f) -> bool {
+    carried.throughput *= factor;
+    return max(carried.throughput.x, max(carried.throughput.y, carried.throughput.z)) < DARK;
 }
 
 // Adds the light that is emitted at x towards the path.
 fn gather(radiance: vec3f, x: Real3) {
     let n = medium_index(x);
-    var light = carried.share * carried.camera / f32(n * n) * carried.weight * radiance;
+    var light = carried.share * carried.camera / f32(n * n) * carried.throughput * radiance;
     if COLORS_DISPERSED {
         color_dispersed(&light);
     }

@@ -28,8 +28,8 @@ fn scatter_ray(ray: Ray, met: ptr<function, Hit>, pixel: vec2u) -> Ray {
         return ray;
     }
     let end = path_end(ray, *met);
-    if FILTERS {
-        filter_last(ray, end);
+    if ABSORBS {
+        absorption_last(ray, end);
     }
     var leg = Leg(end.x, end.v, end.tau, OFF_SURFACE, ray.status);
     if ray.status == HIT {
@@ -65,7 +65,7 @@ fn met_surface_leg(ray: Ray, met: ptr<function, Hit>, end: PathPoint, pixel: vec
         return met_matter(ray, end, surface, material, pixel);
     }
     carried.scatterings += 1u;
-    let dark = scale_weight(scattered.weight);
+    let dark = scale_throughput(scattered.throughput);
     let cut = dark || scattered.cut || carried.scatterings > transport.depth;
     if cut {
         enter_set(side);
@@ -88,10 +88,10 @@ fn met_surface_leg(ray: Ray, met: ptr<function, Hit>, end: PathPoint, pixel: vec
 // Continues a path on a surface that is neither transparent nor a mirror.
 fn met_matter(ray: Ray, end: PathPoint, surface: Surface, material: Material, pixel: vec2u) -> Leg {
     let way = vec3f(normalize(end.v));
-    let across = select(vec3f(surface.across), -vec3f(surface.across), dot(vec3f(surface.across), way) > 0.0);
-    let normal = select(surface.normal, -surface.normal, dot(surface.normal, across) < 0.0);
-    let answer = answer_at(material, pattern_color(material, surface.uv));
-    gather(answer.emission, end.x);
+    let normal = select(vec3f(surface.normal), -vec3f(surface.normal), dot(vec3f(surface.normal), way) > 0.0);
+    let shading_normal = select(surface.shading_normal, -surface.shading_normal, dot(surface.shading_normal, normal) < 0.0);
+    let bsdf = bsdf_at(material, pattern_color(material, surface.uv));
+    gather(bsdf.emission, end.x);
     let stays = Leg(end.x, end.v, end.tau, OFF_SURFACE, HIT);
     if carried.flight != OWN {
         return stays;
@@ -100,29 +100,29 @@ fn met_matter(ray: Ray, end: PathPoint, surface: Surface, material: Material, pi
         carried.recorded = 1u;
         keep_layers(pixel, ray, Seen(end, vec3f(0.0), normal, surface.object + 1u));
     }
-    if all(answer.diffuse + answer.gloss <= vec3f(0.0)) {
+    if all(bsdf.diffuse + bsdf.gloss <= vec3f(0.0)) {
         return stays;
     }
     if carried.scatterings >= transport.depth {
         return Leg(end.x, end.v, end.tau, OFF_SURFACE, CUT);
     }
     // Starts on the surface itself: the error of the end after a long path has nothing to do with the numbers there.
-    let start = lit_from(end.x - surface.gap * surface.across, surface, -way);
+    let start = lit_from(end.x - surface.signed_distance * surface.normal, surface, -way);
     let mirror = way - 2.0 * dot(way, normal) * normal;
-    let vertex = PathVertex(start, end.tau, length(end.v), across, normal, mirror, answer);
+    let vertex = PathVertex(start, end.tau, length(end.v), normal, shading_normal, mirror, bsdf);
     let choice = path_point(pixel, CHOICE);
-    let onward = answer_way(vertex, path_point(pixel, DIRECTION), choice.x);
-    let density = answer_density(vertex, onward);
-    var weight = carried.weight * answered(vertex, onward) / max(density, 1e-30);
-    weight = select(vec3f(0.0), weight, density > 0.0 && dot(onward, across) > 0.0);
-    let left = max(weight.x, max(weight.y, weight.z));
+    let onward = sample_bsdf(vertex, path_point(pixel, DIRECTION), choice.x);
+    let density = bsdf_density(vertex, onward);
+    var throughput = carried.throughput * bsdf_cosine(vertex, onward) / max(density, 1e-30);
+    throughput = select(vec3f(0.0), throughput, density > 0.0 && dot(onward, normal) > 0.0);
+    let left = max(throughput.x, max(throughput.y, throughput.z));
     let survives = select(min(left, LIKELIEST), 1.0, carried.scatterings + 1u < transport.roulette);
-    weight = select(vec3f(0.0), weight / max(survives, 1e-30), choice.y < survives && left > DARK);
-    return left_vertex(vertex, onward, density, weight, pixel);
+    throughput = select(vec3f(0.0), throughput / max(survives, 1e-30), choice.y < survives && left > DARK);
+    return left_vertex(vertex, onward, density, throughput, pixel);
 }
 
 // Returns the path's own ray from a vertex, with its throughput; `code` if that is negligible.
-fn own_leg(x: Real3, v: Real3, tau: Real, weight: vec3f, code: u32) -> Leg {
-    carried.weight = weight;
-    return Leg(x, v, tau, OFF_SURFACE, select(ALIVE, code, all(weight <= vec3f(0.0))));
+fn own_leg(x: Real3, v: Real3, tau: Real, throughput: vec3f, code: u32) -> Leg {
+    carried.throughput = throughput;
+    return Leg(x, v, tau, OFF_SURFACE, select(ALIVE, code, all(throughput <= vec3f(0.0))));
 }

@@ -1,7 +1,7 @@
 // A vertex of a path: a position where the path continues in a direction that it chooses.
 
 // The reflection and emission of a surface at the vertex.
-struct Answer {
+struct Bsdf {
     // The emitted radiance.
     emission: vec3f,
     // The diffuse albedo, rho.
@@ -19,8 +19,8 @@ struct PathVertex {
     // The speed of light there.
     speed: Real,
     // Unit vectors on that side: the geometric normal, the shading normal, and the mirror direction.
-    across: vec3f,
     normal: vec3f,
+    shading_normal: vec3f,
     mirror: vec3f,
-    answer: Answer,
+    bsdf: Bsdf,
 }

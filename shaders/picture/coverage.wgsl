@@ -32,11 +32,11 @@ fn see_through(pixel: vec2u, code: u32, x: Real3) {
     if CARRIES_LIGHT {
         if carried.flight != OVER && carried.recorded == 0u && (code == ESCAPED || code == MISSED) {
             let n = medium_index(x);
-            uncover(pixel, carried.camera / f32(n * n) * carried.weight);
+            uncover(pixel, carried.camera / f32(n * n) * carried.throughput);
         }
     } else {
         if code == ESCAPED || code == MISSED {
-            uncover(pixel, end_weight(x));
+            uncover(pixel, end_throughput(x));
         }
     }
 }

@@ -17,8 +17,8 @@ fn shade_ray(pixel: vec2u, ray: Ray, end: Hit) {
         note_footprint(pixel, ray);
     }
     let seen = seen_at(ray, end);
-    if FILTERS {
-        filter_last(ray, seen.end);
+    if ABSORBS {
+        absorption_last(ray, seen.end);
     }
     let code = ray.status;
     var light = seen.color;
@@ -38,7 +38,7 @@ fn shade_ray(pixel: vec2u, ray: Ray, end: Hit) {
         gather(light, seen.end.x);
         light = carried.gathered;
     } else {
-        light *= end_weight(seen.end.x);
+        light *= end_throughput(seen.end.x);
     }
     add_color(pixel, light);
     if KEEPS_ORDERS {
@@ -56,8 +56,8 @@ fn shade_ray(pixel: vec2u, ray: Ray, end: Hit) {
 fn shade_path(pixel: vec2u, ray: Ray, end: Hit) {
     let seen = seen_at(ray, end);
     if carried.flight != OVER && (ray.status == ESCAPED || ray.status == MISSED) {
-        if FILTERS {
-            filter_last(ray, seen.end);
+        if ABSORBS {
+            absorption_last(ray, seen.end);
         }
         gather(sky_radiance(vec3f(normalize(seen.end.v))), seen.end.x);
     }

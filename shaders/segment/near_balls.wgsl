@@ -6,7 +6,7 @@ struct Surrounding {
     center: Real3,
     radius: Real,
     // The unit normal of a flat shape, else 0.
-    across: Real3,
+    normal: Real3,
 }
 
 var<uniform> surroundings: array<Surrounding, NEAR_COUNT>;
@@ -41,8 +41,8 @@ fn near_ball(own: Surrounding, c: Chordal) -> bool {
 
 // Flat shapes fill their bounding spheres badly: the chord must also come near their plane.
 fn near_flat(own: Surrounding, c: Chordal) -> bool {
-    let first = dot(c.a - own.center, own.across);
-    let second = first + dot(c.d, own.across);
+    let first = dot(c.a - own.center, own.normal);
+    let second = first + dot(c.d, own.normal);
     // The distances of the ends, and the length of the chord for pieces that extend beyond their ends.
     let slack = c.margin + NEAR_SLACK * own.radius + OVERLAP * abs(second - first);
     return near_ball(own, c) && !(max(first, second) < -slack) && !(min(first, second) > slack);

@@ -65,10 +65,10 @@ fn instance_place(node: u32) -> u32 {
 fn instance_segment(s: Segment) -> Segment {
     let space = instance_space(instance);
     return Segment(
-        own_point(space, s.x0),
-        own_vector(space, s.v0),
-        own_point(space, s.x1),
-        own_vector(space, s.v1),
+        local_point(space, s.x0),
+        local_vector(space, s.v0),
+        local_point(space, s.x1),
+        local_vector(space, s.v1),
         s.h,
     );
 }

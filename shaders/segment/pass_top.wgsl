@@ -15,11 +15,11 @@ fn pass_top(code: u32, hit: Hit, step: LastStep, h: ptr<function, Real>) {
     let start = step.phase[0].xyz;
     let surface = hit_surface(hit.primitive, start);
     // The side on which it began; unknown if it began on the surface itself.
-    let side = select(surface.gap, 0.0, abs(surface.gap) < ON_SURFACE * (length(start) + surface.depth));
+    let side = select(surface.signed_distance, 0.0, abs(surface.signed_distance) < ON_SURFACE * (length(start) + surface.depth));
     var further = RISE * step.h;
     for (var i = 0u; i < RISES; i++) {
         let p = retaken_step(step.phase, *h);
-        if side * dot(stop_gap(code, hit, p[0].xyz).xyz, p[1].xyz) <= 0.0 {
+        if side * dot(stop_distance(code, hit, p[0].xyz).xyz, p[1].xyz) <= 0.0 {
             break;
         }
         *h = min(*h + further, step.h);

@@ -26,10 +26,10 @@ fn stop_point(code: u32, hit: Hit, step: LastStep) -> PathPoint {
         if there {
             break;
         }
-        let gap = stop_gap(code, hit, p[0].xyz);
-        let slope = dot(gap.xyz, p[1].xyz);
+        let surface = stop_distance(code, hit, p[0].xyz);
+        let slope = dot(surface.xyz, p[1].xyz);
         let steep = abs(slope) > 1e-3 * length(p[1].xyz);
-        let correction = select(0.0, gap.w / (slope * own_pace(p)), steep && i < STOP_STEPS);
+        let correction = select(0.0, surface.w / (slope * own_pace(p)), steep && i < STOP_STEPS);
         h = clamp(h - correction, 0.0, step.h);
         // Straight lines and leaps converge at once.
         there = abs(correction) <= LAST_PART * step.h;

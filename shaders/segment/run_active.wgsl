@@ -27,8 +27,8 @@ fn follow_segments(spot: ActiveRay, ray: ptr<function, Ray>, end: ptr<function, 
             if LEAVES_LIGHT {
                 leave_light(quick.segment, 1.0, light_weight());
             }
-            if FILTERS {
-                filter_step(*ray, next);
+            if ABSORBS {
+                absorption_step(*ray, next);
             }
             if KEEPS_LENGTH {
                 add_length(spot.pixel, (*ray).phase, next.phase[0].xyz, next.phase[1].xyz);
@@ -54,8 +54,8 @@ fn follow_segments(spot: ActiveRay, ray: ptr<function, Ray>, end: ptr<function, 
             leave_light(segment, select(1.0, hit.t, hit.primitive != NOTHING), light_weight());
         }
         if code == ALIVE {
-            if FILTERS {
-                filter_step(*ray, next);
+            if ABSORBS {
+                absorption_step(*ray, next);
             }
             if KEEPS_LENGTH {
                 add_length(spot.pixel, (*ray).phase, next.phase[0].xyz, next.phase[1].xyz);

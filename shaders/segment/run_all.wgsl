@@ -26,8 +26,8 @@ fn follow_segments(spot: ActiveRay, ray: ptr<function, Ray>, end: ptr<function, 
             (*ray).rejected = next.rejected;
             (*ray).status = code;
             if code == ALIVE {
-                if FILTERS {
-                    filter_step(*ray, next);
+                if ABSORBS {
+                    absorption_step(*ray, next);
                 }
                 if KEEPS_LENGTH {
                     add_length(spot.pixel, (*ray).phase, next.phase[0].xyz, next.phase[1].xyz);

@@ -8,16 +8,16 @@ fn stops_inside(code: u32) -> bool {
     return code == ESCAPED || code == CAPTURED;
 }
 
-fn stop_gap(code: u32, hit: Hit, x: Real3) -> Real4 {
+fn stop_distance(code: u32, hit: Hit, x: Real3) -> Real4 {
     if ENDS_ON_ARCS {
         if ends_on_surface(code) {
             let surface = hit_surface(hit.primitive, x);
             if TRAVELS {
-                // The gap closes at the speed of the ray relative to the object: the motion of the surface takes its part of the step's τ.
-                let beside = dot(surface.across, met_travel) / dot(met_velocity, met_velocity);
-                return Real4(surface.across + beside * met_velocity, surface.gap);
+                // The signed distance shrinks at the speed of the ray relative to the object: the motion of the surface takes its part of the step's τ.
+                let beside = dot(surface.normal, met_travel) / dot(met_velocity, met_velocity);
+                return Real4(surface.normal + beside * met_velocity, surface.signed_distance);
             }
-            return Real4(surface.across, surface.gap);
+            return Real4(surface.normal, surface.signed_distance);
         }
     }
     return open_gap(code, x);

@@ -11,9 +11,9 @@ struct DiskSpace {
 var<storage, read> disks: array<Placed>;
 var<uniform> disk_list: array<DiskSpace, DISK_COUNT>;
 
-fn ring_fraction(space: OwnSpace, hole: Real, a: Real3, v: Real3) -> Real {
-    let p = own_point(space, a);
-    let d = own_vector(space, v);
+fn ring_fraction(space: LocalSpace, hole: Real, a: Real3, v: Real3) -> Real {
+    let p = local_point(space, a);
+    let d = local_vector(space, v);
     let t = -p.y / d.y;
     let q = p.xz + t * d.xz;
     let rr = dot(q, q);
@@ -22,7 +22,7 @@ fn ring_fraction(space: OwnSpace, hole: Real, a: Real3, v: Real3) -> Real {
 }
 
 fn hit_disk(own: DiskSpace, primitive: u32, a: Real3, d: Real3) -> Real {
-    let space = OwnSpace(own.row_x, own.row_y, own.row_z);
+    let space = LocalSpace(own.row_x, own.row_y, own.row_z);
     return select(ring_fraction(space, own.hole, a, d), 2.0, is_last_hit(primitive));
 }
 
@@ -31,7 +31,7 @@ fn disk_fraction(i: u32, a: Real3, d: Real3) -> Real {
 }
 
 fn surface_disk(i: u32, x: Real3) -> Surface {
-    let p = own_point(own_space(disks[i]), x);
+    let p = local_point(local_space(disks[i]), x);
     let g = disks[i].row_y.xyz;
     let steep = length(g);
     let n = g / steep;

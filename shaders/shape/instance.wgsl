@@ -26,8 +26,8 @@ struct Instance {
 
 var<storage, read> instances: array<Instance>;
 
-fn instance_space(i: u32) -> OwnSpace {
-    return OwnSpace(instances[i].row_x, instances[i].row_y, instances[i].row_z);
+fn instance_space(i: u32) -> LocalSpace {
+    return LocalSpace(instances[i].row_x, instances[i].row_y, instances[i].row_z);
 }
 
 // Returns the last instance that begins no later than `number`, among primitives or among the positions of a walk.
@@ -44,11 +44,11 @@ fn instance_of(number: u32, of_walk: bool) -> u32 {
 
 fn surface_instance(primitive: u32, x: Real3) -> Surface {
     let own = instances[instance_of(primitive, false)];
-    let space = OwnSpace(own.row_x, own.row_y, own.row_z);
+    let space = LocalSpace(own.row_x, own.row_y, own.row_z);
     let triangle = own.first + primitive - own.primitives;
     let place = corners[triangle];
     let v = mesh_vertices(triangle);
-    let at = own_point(space, x);
+    let at = local_point(space, x);
     let n = cross(place.q - place.p, place.r - place.p);
     let steep = scene_gradient(space, n);
     let share = triangle_shares(place.p, place.q, place.r, at);
@@ -56,9 +56,9 @@ fn surface_instance(primitive: u32, x: Real3) -> Surface {
         + share.y * normalize(scene_gradient(space, v[1].normal))
         + share.z * normalize(scene_gradient(space, v[2].normal));
     let uv = share.x * v[0].uv + share.y * v[1].uv + share.z * v[2].uv;
-    let gap = dot(n, at - place.p) / length(steep);
+    let signed_distance = dot(n, at - place.p) / length(steep);
     if HAS_VERTEX_COLORS {
         note_corners(triangle, share);
     }
-    return Surface(gap, 0.0, normalize(steep), vec3f(normalize(normal)), vec2f(uv), own.material, own.object);
+    return Surface(signed_distance, 0.0, normalize(steep), vec3f(normalize(normal)), vec2f(uv), own.material, own.object);
 }

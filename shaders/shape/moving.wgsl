@@ -73,8 +73,8 @@ fn hit_surface(primitive: u32, x: Real3) -> Surface {
     let own = travels[i];
     var surface = resting_surface(primitive, resting_place(own, x, met_tau));
     let turn = travel_turn(own, met_tau);
-    surface.across = turned(own, surface.across, turn);
-    surface.normal = vec3f(turned(own, Real3(surface.normal), turn));
+    surface.normal = turned(own, surface.normal, turn);
+    surface.shading_normal = vec3f(turned(own, Real3(surface.shading_normal), turn));
     met_travel = own.velocity + own.turning * cross(own.axis, x - travel_offset(own, met_tau));
     return surface;
 }

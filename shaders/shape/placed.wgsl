@@ -19,7 +19,7 @@ struct Placed {
 }
 
 // The affine map alone.
-struct OwnSpace {
+struct LocalSpace {
     row_x: Real4,
     row_y: Real4,
     row_z: Real4,
@@ -37,33 +37,33 @@ struct Interval {
 // A surface near a point.
 struct Surface {
     // The signed distance of the point from it, to first order.
-    gap: Real,
-    // The distance of the shape's center behind the tangent plane: `gap` is a difference from that.
+    signed_distance: Real,
+    // The distance of the shape's center behind the tangent plane: `signed_distance` is a difference from that.
     depth: Real,
     // The geometric unit normal there, outward.
-    across: Real3,
+    normal: Real3,
     // The unit normal for shading.
-    normal: vec3f,
+    shading_normal: vec3f,
     uv: vec2f,
     material: u32,
     object: u32,
 }
 
-fn own_space(p: Placed) -> OwnSpace {
-    return OwnSpace(p.row_x, p.row_y, p.row_z);
+fn local_space(p: Placed) -> LocalSpace {
+    return LocalSpace(p.row_x, p.row_y, p.row_z);
 }
 
-fn own_point(p: OwnSpace, x: Real3) -> Real3 {
+fn local_point(p: LocalSpace, x: Real3) -> Real3 {
     let h = Real4(x, 1.0);
     return Real3(dot(p.row_x, h), dot(p.row_y, h), dot(p.row_z, h));
 }
 
-fn own_vector(p: OwnSpace, v: Real3) -> Real3 {
+fn local_vector(p: LocalSpace, v: Real3) -> Real3 {
     return Real3(dot(p.row_x.xyz, v), dot(p.row_y.xyz, v), dot(p.row_z.xyz, v));
 }
 
 // Converts a gradient from object space to the scene's space.
-fn scene_gradient(p: OwnSpace, g: Real3) -> Real3 {
+fn scene_gradient(p: LocalSpace, g: Real3) -> Real3 {
     return g.x * p.row_x.xyz + g.y * p.row_y.xyz + g.z * p.row_z.xyz;
 }
 
@@ -118,8 +118,8 @@ struct SidedSpace {
     bit: u32,
 }
 
-fn sided_space(own: SidedSpace) -> OwnSpace {
-    return OwnSpace(own.row_x, own.row_y, own.row_z);
+fn sided_space(own: SidedSpace) -> LocalSpace {
+    return LocalSpace(own.row_x, own.row_y, own.row_z);
 }
 
 fn is_inside(bit: u32) -> bool {

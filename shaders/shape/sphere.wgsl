@@ -23,7 +23,7 @@ fn sphere_fraction(i: u32, a: Real3, d: Real3) -> Real {
 fn surface_sphere(i: u32, x: Real3) -> Surface {
     let d = x - spheres[i].center;
     let r = length(d);
-    let uv = sphere_uv(own_vector(own_space(spheres[i]), d));
+    let uv = sphere_uv(local_vector(local_space(spheres[i]), d));
     let radius = spheres[i].radius;
     return Surface(r - radius, radius, d / r, vec3f(d / r), uv, spheres[i].material, spheres[i].object);
 }

@@ -85,14 +85,14 @@ fn mesh_vertices(i: u32) -> array<Vertex, 3> {
 fn surface_triangle(i: u32, x: Real3) -> Surface {
     let place = corners[i];
     let v = mesh_vertices(i);
-    let across = normalize(cross(place.q - place.p, place.r - place.p));
+    let normal = normalize(cross(place.q - place.p, place.r - place.p));
     let share = triangle_shares(place.p, place.q, place.r, x);
-    let normal = normalize(share.x * v[0].normal + share.y * v[1].normal + share.z * v[2].normal);
+    let shading_normal = normalize(share.x * v[0].normal + share.y * v[1].normal + share.z * v[2].normal);
     let uv = share.x * v[0].uv + share.y * v[1].uv + share.z * v[2].uv;
-    let gap = dot(across, x - place.p);
+    let signed_distance = dot(normal, x - place.p);
     if HAS_VERTEX_COLORS {
         note_corners(i, share);
     }
     let at = TRIANGLE_WORDS * i;
-    return Surface(gap, 0.0, across, vec3f(normal), vec2f(uv), mesh[at + 4u], mesh[at + 3u]);
+    return Surface(signed_distance, 0.0, normal, vec3f(shading_normal), vec2f(uv), mesh[at + 4u], mesh[at + 3u]);
 }

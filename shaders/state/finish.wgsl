@@ -28,7 +28,7 @@ fn finish_advance(spot: ActiveRay, before: Ray, ray: Ray, end: Hit, lane: u32) {
             store_last_hit(spot.pixel, ray.index);
         }
         store_region(spot.pixel);
-        store_weight(spot.pixel);
+        store_throughput(spot.pixel);
         if AIMS {
             store_waiting(spot.pixel);
         }

@@ -67,8 +67,8 @@ fn start_region(x: Real3, v: Real3, pixel: vec2u) {
         var within = false;
         if start.primitive != NOTHING {
             let surface = hit_surface(start.primitive, x);
-            let near = SURFACE_SLACK * (length(x) + abs(surface.gap));
-            within = surface.gap < -near || (surface.gap <= near && dot(surface.across, v) < 0.0);
+            let near = SURFACE_SLACK * (length(x) + abs(surface.signed_distance));
+            within = surface.signed_distance < -near || (surface.signed_distance <= near && dot(surface.normal, v) < 0.0);
         } else {
             within = starts_inside(i, pixel);
         }

@@ -10,10 +10,10 @@ fn seen_at(ray: Ray, hit: Hit) -> Seen {
     }
     let surface = hit_surface(hit.primitive, end.x);
     let view = vec3f(-normalize(end.v));
-    let across = vec3f(surface.across);
+    let normal = vec3f(surface.normal);
     // The geometric normal determines the visible side, because the winding of a mesh's triangles may not agree with its normals.
-    let seen_side = dot(across, view) * dot(across, surface.normal);
-    let normal = select(-surface.normal, surface.normal, seen_side >= 0.0);
+    let seen_side = dot(normal, view) * dot(normal, surface.shading_normal);
+    let shading_normal = select(-surface.shading_normal, surface.shading_normal, seen_side >= 0.0);
     let material = materials[surface.material];
     if OCCLUDES_ALONG_LAW {
         note_arrival(end);
@@ -24,9 +24,9 @@ fn seen_at(ray: Ray, hit: Hit) -> Seen {
     if KEEPS_FOOTPRINTS {
         note_place(surface.object, surface.uv);
     }
-    let lit = Lit(vec3f(end.x), lit_from(end.x, surface, view), normal, view);
+    let lit = Lit(vec3f(end.x), lit_from(end.x, surface, view), shading_normal, view);
     let color = surface_radiance(material, pattern_color(material, surface.uv), lit);
-    return Seen(end, color, normal, surface.object + 1u);
+    return Seen(end, color, shading_normal, surface.object + 1u);
 }
 
 // Returns the position where the ray ended, and the object that it hit.

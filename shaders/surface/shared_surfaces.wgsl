@@ -12,18 +12,18 @@ struct Touching {
 
 var<uniform> touching: array<Touching, TOUCHING_COUNT>;
 
-// The distance, relative to the sizes from which gaps are computed, up to which surfaces touch. In 32 bits each gap is wrong by up to
+// The distance, relative to the sizes from which signed distances are computed, up to which surfaces touch. In 32 bits each gap is wrong by up to
 // fifteen roundings (of the position, the rows and the sum), and 2e-6 is thirty; in 64 bits it serves scenes whose numbers are written with
 // a few digits, and such a gap does not exist for light.
 const TOGETHER: Real = 2e-6;
 
-// Surfaces with a larger angle between them cross, and touch in a strip of a width of at most about twenty such gaps.
+// Surfaces with a larger angle between them cross, and touch in a strip of a width of at most about twenty such signed distances.
 const PARALLEL: Real = 0.999;
 
 // Returns the cosine between the normals if both surfaces touch at x, else 0. The error of x itself, after a long path, is equal for both.
 fn alignment(a: Surface, b: Surface, x: Real3) -> Real {
-    let cosine = dot(a.across, b.across);
-    let apart = abs(b.gap - sign(cosine) * a.gap);
+    let cosine = dot(a.normal, b.normal);
+    let apart = abs(b.signed_distance - sign(cosine) * a.signed_distance);
     let together = apart <= TOGETHER * (length(x) + a.depth + b.depth);
     return select(0.0, cosine, together && abs(cosine) >= PARALLEL);
 }

@@ -10,7 +10,7 @@ use glam::DAffine3;
 
 use super::GridUse;
 use super::mesh::{Opened, Reading};
-use super::{Capacity, IndexGrid, Mesh, MeshRequest, Part, Picture, Profile, Source};
+use super::{Capacity, IndexGrid, Mesh, MeshPart, MeshRequest, MeshSource, Picture, Profile};
 use crate::document::Node;
 use crate::document::reader::Reader;
 use crate::document::values::text;
@@ -23,8 +23,8 @@ type PlacedMesh = (Arc<Mesh>, DAffine3);
 /// The parts that were requested of a mesh file, and the meshes that were read for them. Crease angles are compared by their bits.
 #[derive(Debug, Default)]
 struct Meshes {
-    wanted: HashMap<(Part, u64), Option<PlacedMesh>>,
-    read: HashMap<(Source, u64), Arc<Mesh>>,
+    wanted: HashMap<(MeshPart, u64), Option<PlacedMesh>>,
+    read: HashMap<(MeshSource, u64), Arc<Mesh>>,
 }
 
 /// The files that were loaded, for one scene or for several that share them, such as the frames of an animation. Within a scene a file
@@ -234,7 +234,7 @@ impl Files {
         &mut self,
         path: &Path,
         identity: &Path,
-        source: Source,
+        source: MeshSource,
         crease: f64,
     ) -> Result<Arc<Mesh>, SceneError> {
         let key = (source, crease.to_bits());

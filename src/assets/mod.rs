@@ -20,7 +20,7 @@ pub use expression::{
 pub use files::Files;
 pub use gltf::{Gltf, NodeName, Placed, Stored as StoredPicture, image_of, json, names};
 pub use grid::{GridUse, IndexGrid, RawGridLayout, Stored};
-pub use mesh::{Capacity, Held, Mesh, MeshRequest, Part, Source, Vertex};
+pub use mesh::{Capacity, Held, Mesh, MeshPart, MeshRequest, MeshSource, Vertex};
 pub use picture::Picture;
 pub(crate) use picture::unlikely_exr;
 pub use profile::{Profile, ProfileError, ProfilePoint};

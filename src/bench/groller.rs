@@ -14,7 +14,7 @@ use super::{Bench, Cell, Report, Table, Times, own_scene};
 use crate::gpu::Geometry;
 use crate::model::shape::Triangles;
 use crate::output::plot::{Chart, Series};
-use crate::program::{Choice, Schedule};
+use crate::program::{ProgramOptions, Schedule};
 use crate::render::{RenderError, RenderSettings, Renderer};
 use crate::scene::{Accelerate, Mesh, Scene, Vertex};
 
@@ -103,9 +103,9 @@ fn measured(bench: &Bench, scene: &Scene) -> Result<Measured, RenderError> {
     let started = Instant::now();
     drop(Geometry::new(scene));
     let build = started.elapsed().as_secs_f64();
-    let choice = Choice { schedule: Schedule::Segment, ..Choice::default() };
+    let options = ProgramOptions { schedule: Schedule::Segment, ..ProgramOptions::default() };
     let mut renderer =
-        Renderer::new(bench.gpu, scene, RenderSettings { choice, apart: true, ..RenderSettings::default() })?;
+        Renderer::new(bench.gpu, scene, RenderSettings { options, apart: true, ..RenderSettings::default() })?;
     let mut segments = 0;
     let slow = scene.rays.acceleration == Accelerate::None;
     let times = Times::of(if slow { 1 } else { bench.repeats }, || {

@@ -6,7 +6,7 @@ use super::ceiling::ceilings;
 use super::{Bench, Report, Table, Times};
 use crate::measure::{evaluations, every_pixel, method_words};
 use crate::model::method::CLOSED_FORMS;
-use crate::program::{Choice, Purpose, Schedule};
+use crate::program::{Mode, ProgramOptions, Schedule};
 use crate::render::{RenderError, RenderSettings, Renderer, Starts, Tracer};
 use crate::scene::Scene;
 
@@ -58,8 +58,8 @@ fn add(bench: &Bench, name: &str, scene: &Scene, [table, shares]: [&mut Table; 2
     let words = method_words(scene.rays.method, scene.rays.control);
     let steps = steps(bench, &scene)?;
     let by = |schedule| {
-        let choice = Choice { schedule, ..Choice::default() };
-        RenderSettings { choice, ..RenderSettings::default() }
+        let options = ProgramOptions { schedule, ..ProgramOptions::default() };
+        RenderSettings { options, ..RenderSettings::default() }
     };
     let mut fused = Renderer::new(bench.gpu, &scene, by(Schedule::Fused))?;
     let mut whole = Renderer::new(bench.gpu, &scene, by(Schedule::Whole))?;
@@ -78,7 +78,7 @@ fn add(bench: &Bench, name: &str, scene: &Scene, [table, shares]: [&mut Table; 2
         shares.row(&[name], times_and_shares(&stages, 0.0, c.median, rays));
         return Ok(());
     };
-    let bare = Tracer::new(bench.gpu, &scene, by(Schedule::Fused), Purpose::Bare)?;
+    let bare = Tracer::new(bench.gpu, &scene, by(Schedule::Fused), Mode::Bare)?;
     let mut run_bare = || bare.bare(&steps);
     let [a, b, c] = Times::by_turns(bench.repeats, [&mut run_bare, &mut run_fused, &mut run_whole])?;
     let all: f64 = steps.iter().map(|n| f64::from(*n)).sum();
@@ -109,7 +109,7 @@ fn steps(bench: &Bench, scene: &Scene) -> Result<Option<Vec<u32>>, RenderError> 
     if scene.rays.method == CLOSED_FORMS || scene.scatters() {
         return Ok(None);
     }
-    let mut tracer = Tracer::new(bench.gpu, scene, RenderSettings::default(), Purpose::Pixels)?;
+    let mut tracer = Tracer::new(bench.gpu, scene, RenderSettings::default(), Mode::Pixels)?;
     let (rays, _) = tracer.follow(Starts::Pixels(&every_pixel(scene.image.size), scene.image.size[0]))?;
     Ok(Some(rays.iter().map(|ray| ray.steps.min(MOST_STEPS)).collect()))
 }

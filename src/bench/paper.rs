@@ -12,7 +12,7 @@ use super::times::slope;
 use super::{Bench, CRITICAL, Cell, Report, Table, Times, own_scene, shadow_edge};
 use crate::measure::{calibrate, method_words};
 use crate::output::plot::{Chart, Series};
-use crate::program::{Choice, RaySkipping, Schedule};
+use crate::program::{ProgramOptions, RaySkipping, Schedule};
 use crate::render::{RenderError, RenderSettings, Renderer};
 use crate::scene::Scene;
 
@@ -185,8 +185,8 @@ pub(super) fn by_fused(masks: RaySkipping) -> RenderSettings {
 
 /// Returns settings for a schedule; `segments` is K, which only `fused` uses.
 pub(super) fn by(schedule: Schedule, masks: RaySkipping, segments: u32) -> RenderSettings {
-    let choice = Choice { schedule, masks, ..Choice::default() };
-    RenderSettings { choice, segments, ..RenderSettings::default() }
+    let options = ProgramOptions { schedule, masks, ..ProgramOptions::default() };
+    RenderSettings { options, segments, ..RenderSettings::default() }
 }
 
 /// Returns K for a table: at most the scene's `max_segments`, and `None` for schedules other than `fused`.

@@ -11,7 +11,7 @@ use super::times::device_time;
 use super::{Bench, Cell, Report, Table, Times, own_scene};
 use crate::output::plot::{Chart, Series};
 use crate::render::{Noise, RenderError, RenderSettings, Renderer, Rendering};
-use crate::scene::{Paths, Scene};
+use crate::scene::{PathTracing, Scene};
 
 /// The radii of the light, in a box of width 2. All emit equal power.
 const LAMPS: [f64; 4] = [0.4, 0.15, 0.05, 0.02];
@@ -37,7 +37,7 @@ pub fn paths(bench: &Bench) -> Result<Report, RenderError> {
     let header = "emitter radius | sampling | time (s) | spread | error | time × error² | relative to scattered rays \
                   | ns per segment";
     let caption = format!("{SAMPLES} samples per pixel, compared with {TRUTH}");
-    let mut table = Table::new("lamps", caption, header);
+    let mut table = Table::new("emitters", caption, header);
     let mut truths = Table::new("truths", "Reference images", "emitter radius | noise of the reference");
     let mut series: Vec<Series> = Vec::new();
     for radius in LAMPS {
@@ -76,7 +76,7 @@ fn sampled(scene: &Scene, samples: u32, aim: bool, guide: bool) -> Scene {
     let mut scene = scene.clone();
     scene.image.samples = samples;
     scene.rays.path_tracing =
-        Some(Paths { light_sampling: aim, guiding: guide, ..scene.rays.path_tracing.unwrap_or_default() });
+        Some(PathTracing { light_sampling: aim, guiding: guide, ..scene.rays.path_tracing.unwrap_or_default() });
     scene
 }
 
@@ -90,7 +90,7 @@ fn picture(bench: &Bench, scene: &Scene) -> Result<(Rendering, Duration), Render
 }
 
 /// The result of one method.
-struct Found {
+struct MethodResult {
     name: &'static str,
     times: Times,
     /// The error relative to the image's mean.
@@ -99,7 +99,7 @@ struct Found {
     segment: f64,
 }
 
-fn measure(bench: &Bench, scene: &Scene, truth: &Rendering) -> Result<Vec<Found>, RenderError> {
+fn measure(bench: &Bench, scene: &Scene, truth: &Rendering) -> Result<Vec<MethodResult>, RenderError> {
     let scenes = WAYS.map(|(_, aim, guide)| sampled(scene, SAMPLES, aim, guide));
     let last: Vec<RefCell<Option<Rendering>>> = WAYS.iter().map(|_| RefCell::default()).collect();
     let mut runs: Vec<_> = scenes
@@ -118,7 +118,7 @@ fn measure(bench: &Bench, scene: &Scene, truth: &Rendering) -> Result<Vec<Found>
     let found = WAYS.iter().zip(times).zip(pictures).filter_map(|(((name, ..), times), picture)| {
         let picture = picture?;
         let segment = 1e9 * device_time(&picture.totals).as_secs_f64() / picture.totals.segments as f64;
-        Some(Found { name, times, error: error(&picture, truth), segment })
+        Some(MethodResult { name, times, error: error(&picture, truth), segment })
     });
     Ok(found.collect())
 }

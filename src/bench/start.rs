@@ -99,7 +99,7 @@ fn second(bench: &Bench, path: &Path) -> Result<Times, RenderError> {
     let rays = u64::from(SIZE) * u64::from(SIZE) * u64::from(scene.image.samples);
     let mut settings = RenderSettings::default();
     if let Some(found) = calibrate_for(bench.gpu, &scene, &settings, rays)? {
-        settings.choice.layers.clone_from(&found.layers);
+        settings.options.layers.clone_from(&found.layers);
         scene = found.applied(&scene);
     }
     let mut renderer = Renderer::new(bench.gpu, &scene, settings)?;

@@ -90,7 +90,7 @@ fn angles(eta: f64) -> Vec<f64> {
 
 /// Returns the Beer–Lambert law: the transmittance cᵈ over a distance d, for each color component c (T Fig. 9).
 #[must_use]
-pub fn beer_chart(filters: &[f64], farthest: f64) -> Chart {
+pub fn beer_chart(absorptions: &[f64], farthest: f64) -> Chart {
     let series = |&c: &f64| {
         let distances = (0..=SAMPLES).map(|i| farthest * f64::from(i) / f64::from(SAMPLES));
         Series::new(format!("c = {c}"), distances.map(|d| [d, c.powf(d)]).collect())
@@ -98,7 +98,7 @@ pub fn beer_chart(filters: &[f64], farthest: f64) -> Chart {
     Chart::linear(
         "Beer-Lambert law",
         ["distance d in the medium", "fraction of light, c to the power d"],
-        filters.iter().map(series).collect(),
+        absorptions.iter().map(series).collect(),
     )
 }
 

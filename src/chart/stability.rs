@@ -9,7 +9,7 @@
 
 use crate::gpu::Gpu;
 use crate::measure::{Candidate, ReferenceSolution, all_methods};
-use crate::program::Purpose;
+use crate::program::Mode;
 use crate::render::{RenderError, RenderSettings, Starts, Status, Traced, Tracer};
 use crate::scene::{Control, Scene};
 
@@ -96,7 +96,7 @@ impl<'a> StabilityCase<'a> {
     pub fn outcome(&self, candidate: &Candidate, settings: [Control; 3]) -> Result<Outcome, RenderError> {
         let scene = candidate.applied(&self.scene, settings[0]);
         let few = RenderSettings { segments: 256, ..RenderSettings::default() };
-        let mut tracer = Tracer::new(self.gpu, &scene, few, Purpose::Trace)?;
+        let mut tracer = Tracer::new(self.gpu, &scene, few, Mode::Trace)?;
         let mut follow = |control| -> Result<Vec<Traced>, RenderError> {
             tracer.retune(control, SEGMENTS)?;
             Ok(tracer.follow(Starts::Given(&self.rays))?.0)

@@ -7,7 +7,7 @@ use crate::gpu::Gpu;
 use crate::measure::{
     Candidate, ErrorStats, ReferenceSolution, all_methods, drift, evaluations, method_words, scattered,
 };
-use crate::program::{Choice, Schedule};
+use crate::program::{ProgramOptions, Schedule};
 use crate::render::{RenderError, RenderSettings, Renderer, Starts, Traced, Tracer};
 use crate::scene::Scene;
 
@@ -154,10 +154,10 @@ impl Sweep<'_> {
         let mut scene = candidate.applied(scene, candidate.controls[0]);
         scene.rays.max_segments = SEGMENTS;
         let settings = RenderSettings { segments: 256, ..RenderSettings::default() };
-        let mut few = Tracer::new(self.gpu, &scene, settings, starts.purpose())?;
-        let choice = Choice { schedule: self.schedule, ..Choice::default() };
+        let mut few = Tracer::new(self.gpu, &scene, settings, starts.mode())?;
+        let options = ProgramOptions { schedule: self.schedule, ..ProgramOptions::default() };
         let mut all =
-            Renderer::new(self.gpu, &scene, RenderSettings { choice, apart: true, ..RenderSettings::default() })?;
+            Renderer::new(self.gpu, &scene, RenderSettings { options, apart: true, ..RenderSettings::default() })?;
         // The first run compiles.
         all.render()?;
         let mut points: Vec<Point> = Vec::new();

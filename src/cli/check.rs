@@ -11,12 +11,12 @@ use serde_json::{Value, json};
 
 use self::mistakes::InvalidScene;
 use self::modelled::Modelled;
-use super::format::{Format, Found};
+use super::format::{CommandResult, Format};
 use super::frames::Film;
-use super::options::{SceneOptions, choice, schedules};
+use super::options::{SceneOptions, program_options, schedules};
 use crate::error::Error;
 use crate::gpu::{Geometry, adapters, check_meshes, memory};
-use crate::program::{Choice, Program, Schedule};
+use crate::program::{Program, ProgramOptions, Schedule};
 use crate::scene::{REFERENCE, Scene, reference_markdown};
 
 /// Validate scenes, and print what will be compiled: modules, passes, bytes per pixel
@@ -66,15 +66,15 @@ fn check<'a>(path: &'a Path, arguments: &Arguments) -> Result<Modelled<'a>, Erro
     let film = Film::new(path, arguments.changes.overrides()?).on(None);
     let scene = film.load(None)?;
     let geometry = Geometry::new(&scene);
-    let choice = choice(arguments.schedule);
-    let program = Program::new(&scene, &geometry.analysis, &choice, geometry.extent())?;
+    let options = program_options(arguments.schedule);
+    let program = Program::new(&scene, &geometry.analysis, &options, geometry.extent())?;
     if scene.objects.iter().any(|object| object.shape.mesh().is_some())
         && let Some(device) = adapters().first()
     {
         check_meshes(&program, &geometry, device)?;
     }
     let memory = memory(&program);
-    let frames_checked = check_frames(&film, &choice, &scene)?;
+    let frames_checked = check_frames(&film, &options, &scene)?;
     Ok(Modelled {
         path,
         scene,
@@ -91,15 +91,15 @@ fn check<'a>(path: &'a Path, arguments: &Arguments) -> Result<Modelled<'a>, Erro
 const FRAMES: usize = 256;
 
 /// Checks that the frames are valid and run the first frame's program. Returns the number of frames that were checked.
-fn check_frames(film: &Film, choice: &Choice, scene: &Scene) -> Result<u32, Error> {
+fn check_frames(film: &Film, options: &ProgramOptions, scene: &Scene) -> Result<u32, Error> {
     let Some(animation) = &scene.animation else { return Ok(0) };
-    film.look_ahead(choice, animation, &(0..animation.frames).collect::<Vec<_>>(), FRAMES)
+    film.look_ahead(options, animation, &(0..animation.frames).collect::<Vec<_>>(), FRAMES)
 }
 
 /// Every key of the scene format.
 struct Reference;
 
-impl Found for Reference {
+impl CommandResult for Reference {
     fn text(&self) -> String {
         reference_markdown()
     }

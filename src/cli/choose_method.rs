@@ -42,7 +42,7 @@ pub(super) fn settle<'a>(
     if let Some((scene, kept)) = known {
         tell_choice(&kept.said, kept.warning.as_deref());
         if kept.compared_layers {
-            settings.choice.layers = compared_layers(&settings.choice.layers);
+            settings.options.layers = compared_layers(&settings.options.layers);
         }
         return Ok(Settled { scene, settings, renderer: None, light_tracer: None });
     }
@@ -67,10 +67,10 @@ pub(super) fn settle<'a>(
     tell_choice(&said, warning.as_deref());
     let scene = calibration.applied(&scene);
     if let Some(place) = place {
-        let compared_layers = calibration.layers != settings.choice.layers;
+        let compared_layers = calibration.layers != settings.options.layers;
         place.keep(&Decision { said, warning, followed: scene.rays.followed(), compared_layers });
     }
-    settings.choice.layers = calibration.layers;
+    settings.options.layers = calibration.layers;
     Ok(Settled { scene, settings, renderer, light_tracer })
 }
 

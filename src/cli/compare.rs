@@ -5,7 +5,7 @@ use std::process::ExitCode;
 
 use clap::Args;
 
-use super::options::{SceneOptions, choice, schedules};
+use super::options::{SceneOptions, program_options, schedules};
 use super::paths;
 use super::screen;
 use crate::chart::{Outcome, SceneChart, StabilityCase, Sweep, default_settings, fastest_table, write_chart};
@@ -79,7 +79,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
         rays: arguments.rays,
         compared: arguments.compared as usize,
         repeats: arguments.repeats as usize,
-        schedule: choice(arguments.schedule).schedule,
+        schedule: program_options(arguments.schedule).schedule,
         slowest: arguments.slowest,
     };
     let mut sections = vec![opening(&device, &sweep)];

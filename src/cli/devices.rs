@@ -3,7 +3,7 @@
 use clap::Args;
 use serde_json::{Value, json};
 
-use super::format::{Format, Found};
+use super::format::{CommandResult, Format};
 use crate::error::Error;
 use crate::gpu::{AdapterReport, GpuError, adapters};
 
@@ -25,7 +25,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Error> {
 /// The devices that can render, best first.
 pub(super) struct Devices(pub Vec<AdapterReport>);
 
-impl Found for Devices {
+impl CommandResult for Devices {
     fn text(&self) -> String {
         self.0.iter().map(words).collect::<Vec<_>>().join("\n")
     }

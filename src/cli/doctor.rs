@@ -9,7 +9,7 @@ use serde_json::{Value, json};
 
 use super::decisions;
 use super::devices::Devices;
-use super::format::{Format, Found, shown};
+use super::format::{CommandResult, Format, shown};
 use crate::error::Error;
 use crate::gpu::{AdapterReport, GpuError, adapters};
 use crate::output::check_film;
@@ -62,7 +62,7 @@ impl Findings {
     }
 }
 
-impl Found for Findings {
+impl CommandResult for Findings {
     fn text(&self) -> String {
         let devices = &self.devices.0;
         let video = if self.video {

@@ -13,7 +13,7 @@ use super::say_line;
 use crate::error::Error;
 
 /// A result of a command.
-pub(super) trait Found {
+pub(super) trait CommandResult {
     /// Returns the lines for people; empty if there is nothing to print.
     fn text(&self) -> String;
 
@@ -31,7 +31,7 @@ pub(super) struct Format {
 
 impl Format {
     /// Prints a result to standard output.
-    pub(super) fn say(self, found: &impl Found) -> Result<(), Error> {
+    pub(super) fn say(self, found: &impl CommandResult) -> Result<(), Error> {
         if self.json {
             say!("{}", found.json());
         } else {
@@ -43,7 +43,7 @@ impl Format {
 
     /// Prints a result among the messages as text, or to standard output as JSON. If the reader is gone, the command still writes its
     /// other outputs.
-    pub(super) fn tell(self, found: &impl Found) -> Result<(), Error> {
+    pub(super) fn tell(self, found: &impl CommandResult) -> Result<(), Error> {
         let text = found.text();
         if !text.is_empty() {
             tell!("{text}");

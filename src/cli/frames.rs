@@ -9,7 +9,7 @@ use super::screen;
 use crate::document::read_given;
 use crate::error::Error;
 use crate::gpu::{Geometry, PreviousGeometry, mesh_capacity};
-use crate::program::{Choice, Program};
+use crate::program::{Program, ProgramOptions};
 use crate::scene::{Animation, Files, Override, Scene, SceneError, follow_as};
 
 /// Calls `made` with a function that returns the frame number for every key, or with `None` without a frame.
@@ -86,12 +86,12 @@ impl<'a> Film<'a> {
     fn program(
         &self,
         before: Option<&Program>,
-        choice: &Choice,
+        options: &ProgramOptions,
         frame_of: &dyn Fn(&str) -> f64,
     ) -> Result<Program, Error> {
         let scene = self.load(Some(frame_of))?;
         let geometry = Geometry::after(self.before.take(), &scene);
-        let program = Program::after(before, &scene, &geometry.analysis, choice, geometry.extent());
+        let program = Program::after(before, &scene, &geometry.analysis, options, geometry.extent());
         self.before.replace(geometry.into_before());
         Ok(program?)
     }
@@ -100,19 +100,19 @@ impl<'a> Film<'a> {
     /// evenly spaced frames and the last, at most `most`. Returns the number of frames that were checked.
     pub(super) fn look_ahead(
         &self,
-        choice: &Choice,
+        options: &ProgramOptions,
         animation: &Animation,
         frames: &[u32],
         most: usize,
     ) -> Result<u32, Error> {
         let Some((&first, last)) = frames.first().zip(frames.len().checked_sub(1)) else { return Ok(0) };
-        let program = self.program(None, choice, &|_| first.into())?;
+        let program = self.program(None, options, &|_| first.into())?;
         let looked_at = frames.len().min(most);
         for i in 0..looked_at {
             let frame = f64::from(frames[i * last / (looked_at - 1).max(1)]);
             let closes = (animation.shutter > 0.0).then_some(frame + animation.shutter);
             for time in (i > 0).then_some(frame).into_iter().chain(closes) {
-                let own = self.program(Some(&program), choice, &|_| time).map_err(|error| of_frame(time, error))?;
+                let own = self.program(Some(&program), options, &|_| time).map_err(|error| of_frame(time, error))?;
                 if !own.runs_as(&program) {
                     return Err(self.other_program(&animation.keys, [first.into(), time]));
                 }
@@ -130,9 +130,9 @@ impl<'a> Film<'a> {
     /// Creates the error that two frames need different programs. It names the keys that alone cause this when they change from the first
     /// frame to the other.
     pub(super) fn other_program(&self, keys: &[String], [first, frame]: [f64; 2]) -> Error {
-        let choice = Choice::default();
+        let options = ProgramOptions::default();
         let moved = |moved: Option<&str>| {
-            self.program(None, &choice, &|key| if moved == Some(key) { frame } else { first }).ok()
+            self.program(None, &options, &|key| if moved == Some(key) { frame } else { first }).ok()
         };
         let before = moved(None);
         let changes = |key: &&String| match (&before, moved(Some(key))) {

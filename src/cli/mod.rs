@@ -1,7 +1,7 @@
 //! The command line, with one file per subcommand.
 //!
 //! Results go to stdout or to the named files; messages and progress go to stderr. Exit codes: 0 for success, 1 for failure,
-//! 2 for a usage error. A result that scripts may read is a `Found` of `format`, which prints it as text or as JSON.
+//! 2 for a usage error. A result that scripts may read is a `Report` of `format`, which prints it as text or as JSON.
 
 /// Prints a line of results to standard output, in functions that return this crate's error.
 macro_rules! say {

@@ -14,7 +14,7 @@ use crate::error::Error;
 use crate::gpu::{Gpu, GpuError};
 use crate::output::origin::{COMPARED, FOLLOWED};
 use crate::output::said;
-use crate::program::{Choice, Layer, RaySkipping, Schedule};
+use crate::program::{Layer, ProgramOptions, RaySkipping, Schedule};
 use crate::render::{RenderSettings, Window};
 use crate::scene::{Override, Precision, follow_as};
 
@@ -191,20 +191,20 @@ impl DeviceFlags {
     }
 
     /// Returns the choice with the requested masks.
-    fn masked(&self, choice: Choice) -> Choice {
+    fn masked(&self, options: ProgramOptions) -> ProgramOptions {
         let masks = match (self.no_early_termination, self.no_compaction) {
             (true, _) => RaySkipping::Off,
             (false, true) => RaySkipping::Grid,
-            (false, false) => choice.masks,
+            (false, false) => options.masks,
         };
-        Choice { masks, ..choice }
+        ProgramOptions { masks, ..options }
     }
 
     /// Returns the settings for images with these layers.
     pub(super) fn settings(&self, layers: Vec<Layer>) -> RenderSettings {
         let default = RenderSettings::default();
         RenderSettings {
-            choice: Choice { layers, ..self.masked(choice(self.schedule())) },
+            options: ProgramOptions { layers, ..self.masked(program_options(self.schedule())) },
             segments: self.segments_per_pass.unwrap_or(default.segments),
             ..default
         }
@@ -235,6 +235,6 @@ impl Drop for Opening {
 }
 
 /// Returns the choice of a schedule with its masks, for images without layers.
-pub(super) fn choice(schedule: Schedule) -> Choice {
-    Choice { schedule, masks: schedule.masks(), ..Choice::default() }
+pub(super) fn program_options(schedule: Schedule) -> ProgramOptions {
+    ProgramOptions { schedule, masks: schedule.masks(), ..ProgramOptions::default() }
 }

@@ -24,7 +24,7 @@ use super::frames::Film;
 use super::interrupt;
 use super::options::{DeviceFlags, SceneOptions, one_of, parse_bytes, parse_seconds, parse_window};
 use super::paths;
-use super::share::{Part, Share, Target};
+use super::share::{PartArg, Share, Target};
 use super::{of_scene, say_line};
 use crate::error::Error;
 use crate::measure::verify;
@@ -63,7 +63,7 @@ pub(super) struct Arguments {
     /// from Slurm, AWS Batch or SGE; auto/64 also works with Kubernetes, PBS and GNU parallel. Parts of an image are EXRs for `merge`;
     /// finished parts are not rendered again
     #[arg(long, value_name = "K/N", conflicts_with_all = ["crop", "verify", "earlier", "preview"])]
-    part: Option<Part>,
+    part: Option<PartArg>,
     /// Add samples to an earlier path-traced image, up to the number in the scene: the result is bit-identical to one long render. The EXR
     /// must contain its accumulated sums, as it does unless --layers omits them
     #[arg(long = "continue", value_name = "EXR", conflicts_with = "frames", value_parser = paths::file())]
@@ -239,7 +239,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
     let targets = arguments.targets(&frames, &still)?;
     if let Some(animation) = still.animation.as_ref().filter(|_| targets.len() > 1) {
         let frames: Vec<u32> = frames.iter().copied().flatten().collect();
-        film.look_ahead(&arguments.device.settings(layers.clone()).choice, animation, &frames, AHEAD)?;
+        film.look_ahead(&arguments.device.settings(layers.clone()).options, animation, &frames, AHEAD)?;
     }
     arguments.check_files(&film, &targets)?;
     arguments.prepare_films(&still)?;

@@ -15,14 +15,14 @@ use crate::error::Error;
 
 /// The value of `--part`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Part {
+pub(super) enum PartArg {
     /// The number of the part, from 1, and the number of parts.
     Given(u32, u32),
     /// The part that the queue assigns, with the number of parts if the user gave it.
     Auto(Option<u32>),
 }
 
-impl FromStr for Part {
+impl FromStr for PartArg {
     type Err = String;
 
     fn from_str(text: &str) -> Result<Self, String> {
@@ -51,7 +51,7 @@ pub(super) struct Target {
     pub band: Option<Band>,
 }
 
-impl Part {
+impl PartArg {
     /// Returns the share that this value denotes.
     pub(super) fn share(self) -> Result<Share, Error> {
         match self {
@@ -96,11 +96,11 @@ mod tests {
 
     #[test]
     fn parts_are_read() {
-        assert_eq!("3/64".parse(), Ok(Part::Given(3, 64)));
-        assert_eq!("auto".parse(), Ok(Part::Auto(None)));
-        assert_eq!("auto/12".parse(), Ok(Part::Auto(Some(12))));
+        assert_eq!("3/64".parse(), Ok(PartArg::Given(3, 64)));
+        assert_eq!("auto".parse(), Ok(PartArg::Auto(None)));
+        assert_eq!("auto/12".parse(), Ok(PartArg::Auto(Some(12))));
         for wrong in ["0/3", "4/3", "3", "3/0", "auto/", "x/3", "-1/3", ""] {
-            assert!(wrong.parse::<Part>().is_err(), "{wrong}");
+            assert!(wrong.parse::<PartArg>().is_err(), "{wrong}");
         }
     }
 

@@ -5,10 +5,10 @@ use std::path::PathBuf;
 use clap::Args;
 use clap::builder::PossibleValuesParser;
 
-use super::options::{SceneOptions, choice, schedules};
+use super::options::{SceneOptions, program_options, schedules};
 use crate::error::Error;
 use crate::gpu::{Geometry, adapters};
-use crate::program::{Choice, DeviceProfile, Program, Schedule};
+use crate::program::{DeviceProfile, Program, ProgramOptions, Schedule};
 use crate::scene::Scene;
 
 /// Print the linked program of a scene, pass by pass, with the module's file name above each piece
@@ -38,8 +38,9 @@ fn profile(asked: Option<&str>) -> DeviceProfile {
 pub(super) fn run(arguments: &Arguments) -> Result<(), Error> {
     let scene = Scene::load(&arguments.scene, &arguments.changes.overrides()?)?;
     let geometry = Geometry::new(&scene);
-    let choice = Choice { device: profile(arguments.for_device.as_deref()), ..choice(arguments.schedule) };
-    let program = Program::new(&scene, &geometry.analysis, &choice, geometry.extent())?;
+    let options =
+        ProgramOptions { device: profile(arguments.for_device.as_deref()), ..program_options(arguments.schedule) };
+    let program = Program::new(&scene, &geometry.analysis, &options, geometry.extent())?;
     let names: Vec<_> = program.passes.iter().map(|(pass, _, _)| pass.entry()).collect();
     if let Some(wanted) = arguments.pass.as_deref().filter(|wanted| !names.contains(wanted)) {
         return Err(usage!("unknown pass `{wanted}`; the passes of this program are {}", names.join(", ")));

@@ -35,7 +35,7 @@ use toml::de::{DeTable, DeValue};
 
 /// A scene file and its overrides as one tree.
 pub struct Document {
-    sources: Vec<Source>,
+    sources: Vec<SourceText>,
     /// The top-level table.
     pub root: Table,
     /// The errors found while the overrides were applied.
@@ -43,7 +43,7 @@ pub struct Document {
 }
 
 /// A text that places refer to.
-struct Source {
+struct SourceText {
     name: PathBuf,
     text: String,
 }
@@ -102,7 +102,7 @@ impl Document {
     /// Parses `text`, read from `path`, and applies the overrides. After a syntax error no other error is reported.
     pub(crate) fn parse(text: &str, path: &Path, overrides: &[Override]) -> Result<Self, SceneError> {
         let mut document = Self {
-            sources: vec![Source { name: path.to_owned(), text: text.to_owned() }],
+            sources: vec![SourceText { name: path.to_owned(), text: text.to_owned() }],
             root: Vec::new(),
             faults: Vec::new(),
         };
@@ -127,7 +127,7 @@ impl Document {
         }
         for over in overrides {
             let source = document.sources.len();
-            document.sources.push(Source { name: PathBuf::from(over.name()), text: over.text().to_owned() });
+            document.sources.push(SourceText { name: PathBuf::from(over.name()), text: over.text().to_owned() });
             if let Err(fault) = over.apply(&mut document.root, source) {
                 document.faults.push(fault);
             }

@@ -7,7 +7,7 @@
 //! *Length.* Over 300 lines, because it is one type, with a method for each way to read a key.
 
 use super::error::{Diagnostic, ENOUGH};
-use super::values::{Read, suggest};
+use super::values::{Parsed, suggest};
 use super::{Document, KeyReference, Node, Span, SpannedError, TOP, Table, Value};
 use std::cell::{Cell, RefCell};
 use std::collections::BTreeSet;
@@ -79,7 +79,7 @@ impl<'a> Reader<'a> {
     }
 
     /// Returns the value, or records the fault and returns `None`.
-    pub fn accept<T>(&self, read: Read<T>) -> Option<T> {
+    pub fn accept<T>(&self, read: Parsed<T>) -> Option<T> {
         read.map_err(|fault| self.fault(fault)).ok()
     }
 
@@ -127,12 +127,12 @@ impl<'r, 'a> TableReader<'r, 'a> {
     }
 
     /// Returns the value of a key, or `None` if it is missing or wrong.
-    pub fn optional<T>(&self, key: &'static str, read: impl Fn(&'a Node) -> Read<T>) -> Option<T> {
+    pub fn optional<T>(&self, key: &'static str, read: impl Fn(&'a Node) -> Parsed<T>) -> Option<T> {
         self.accept(key, read(self.node(key)?))
     }
 
     /// Returns the value, or records the fault of the key's value; a fault without help gets its help from the reference.
-    fn accept<T>(&self, key: &str, read: Read<T>) -> Option<T> {
+    fn accept<T>(&self, key: &str, read: Parsed<T>) -> Option<T> {
         let explained = |fault: SpannedError| {
             if fault.help.is_empty() { SpannedError { help: self.meaning(key), ..fault } } else { fault }
         };
@@ -164,12 +164,12 @@ impl<'r, 'a> TableReader<'r, 'a> {
     }
 
     /// Returns the value of a key, or `default` if it is missing or wrong.
-    pub fn or<T>(&self, key: &'static str, default: T, read: impl Fn(&'a Node) -> Read<T>) -> T {
+    pub fn or<T>(&self, key: &'static str, default: T, read: impl Fn(&'a Node) -> Parsed<T>) -> T {
         self.optional(key, read).unwrap_or(default)
     }
 
     /// Returns the value of a required key; `example` shows in the error message how to write it.
-    pub fn required<T>(&self, key: &'static str, example: &str, read: impl Fn(&'a Node) -> Read<T>) -> Option<T> {
+    pub fn required<T>(&self, key: &'static str, example: &str, read: impl Fn(&'a Node) -> Parsed<T>) -> Option<T> {
         self.accept(key, read(self.required_node(key, example)?))
     }
 
@@ -184,7 +184,7 @@ impl<'r, 'a> TableReader<'r, 'a> {
     }
 
     /// Returns the value of a key on which other keys depend; if it is wrong, keys that are valid with any value are not reported.
-    pub fn decide<T>(&self, key: &'static str, default: T, read: impl Fn(&'a Node) -> Read<T>) -> Option<T> {
+    pub fn decide<T>(&self, key: &'static str, default: T, read: impl Fn(&'a Node) -> Parsed<T>) -> Option<T> {
         let Some(node) = self.node(key) else {
             return Some(default);
         };
@@ -198,7 +198,7 @@ impl<'r, 'a> TableReader<'r, 'a> {
         &self,
         key: &'static str,
         example: &str,
-        read: impl Fn(&'a Node) -> Read<T>,
+        read: impl Fn(&'a Node) -> Parsed<T>,
     ) -> Option<T> {
         let value = self.required(key, example, read);
         self.lenient.set(self.lenient.get() || value.is_none());

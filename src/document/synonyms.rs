@@ -10,7 +10,7 @@ pub(crate) const SYNONYMS: &[(&[&str], &str)] = &[
     (&["background", "environment", "envmap", "world", "stars"], "sky"),
     (&["paths", "path-tracing", "pathtracing", "gi", "global_illumination"], "path_tracing"),
     (&["shapes", "geometry", "primitives", "things"], "objects"),
-    (&["lamps", "emitters"], "lights"),
+    (&["emitters", "emitters"], "lights"),
     (&["ambient_occlusion", "ao"], "ambient"),
     // The image.
     (&["width", "height", "resolution", "dimensions", "res"], "size"),
@@ -95,6 +95,7 @@ pub(crate) const SYNONYMS: &[(&[&str], &str)] = &[
     (&["roulette", "russian_roulette", "rr"], "rr_depth"),
     (&["aim", "nee", "next_event_estimation", "direct_light"], "light_sampling"),
     (&["guide", "path_guiding"], "guiding"),
+    (&["path", "binet", "orbit"], "orbit-equation"),
     // Lights.
     (&["straight", "shadow-rays", "true", "hard"], "straight-rays"),
     (&["grid", "photons", "photon-map"], "photon-grid"),

@@ -9,7 +9,7 @@ use std::ops::RangeInclusive;
 use strsim::levenshtein;
 
 /// A value, or the fault of the node.
-pub type Read<T> = Result<T, SpannedError>;
+pub type Parsed<T> = Result<T, SpannedError>;
 
 /// The largest magnitude that a number in a scene may have.
 pub const LARGEST: f64 = 1e30;
@@ -39,7 +39,7 @@ impl Node {
 }
 
 /// Reads a number.
-pub fn number(node: &Node) -> Read<f64> {
+pub fn number(node: &Node) -> Parsed<f64> {
     let value = match node.value {
         Value::Integer(value) => value as f64,
         Value::Float(value) => value,
@@ -58,7 +58,7 @@ pub fn number(node: &Node) -> Read<f64> {
 }
 
 /// Reads a number that satisfies `fits`; `what` describes the valid numbers.
-pub fn number_where(what: &'static str, fits: fn(f64) -> bool) -> impl Fn(&Node) -> Read<f64> {
+pub fn number_where(what: &'static str, fits: fn(f64) -> bool) -> impl Fn(&Node) -> Parsed<f64> {
     move |node| match number(node)? {
         value if fits(value) => Ok(value),
         value => Err(node.fault(format!("expected {what}, found {value}"), "")),
@@ -66,27 +66,27 @@ pub fn number_where(what: &'static str, fits: fn(f64) -> bool) -> impl Fn(&Node)
 }
 
 /// Reads a number greater than 0.
-pub fn positive(node: &Node) -> Read<f64> {
+pub fn positive(node: &Node) -> Parsed<f64> {
     number_where("a number above 0", |x| x > 0.0)(node)
 }
 
 /// Reads a fraction greater than 0 and at most 1.
-pub fn positive_part(node: &Node) -> Read<f64> {
+pub fn positive_part(node: &Node) -> Parsed<f64> {
     number_where("a number above 0, at most 1", |x| x > 0.0 && x <= 1.0)(node)
 }
 
 /// Reads a number other than 0.
-pub fn not_zero(node: &Node) -> Read<f64> {
+pub fn not_zero(node: &Node) -> Parsed<f64> {
     number_where("a number other than 0", |x| x != 0.0)(node)
 }
 
 /// Reads a number that is 0 or greater.
-pub fn not_negative(node: &Node) -> Read<f64> {
+pub fn not_negative(node: &Node) -> Parsed<f64> {
     number_where("a number of 0 or above", |x| x >= 0.0)(node)
 }
 
 /// Reads `true` or `false`.
-pub fn boolean(node: &Node) -> Read<bool> {
+pub fn boolean(node: &Node) -> Parsed<bool> {
     match node.value {
         Value::Boolean(value) => Ok(value),
         _ => Err(node.expected("true or false")),
@@ -94,7 +94,7 @@ pub fn boolean(node: &Node) -> Read<bool> {
 }
 
 /// Reads a whole number in the range.
-pub fn whole(range: RangeInclusive<u32>) -> impl Fn(&Node) -> Read<u32> {
+pub fn whole(range: RangeInclusive<u32>) -> impl Fn(&Node) -> Parsed<u32> {
     move |node| {
         let what = format!("a whole number from {} to {}", range.start(), range.end());
         let Value::Integer(value) = node.value else {
@@ -108,7 +108,10 @@ pub fn whole(range: RangeInclusive<u32>) -> impl Fn(&Node) -> Read<u32> {
 }
 
 /// Reads an array of `N` values, each with `read`; `what` describes it.
-pub fn array<T, const N: usize>(what: &'static str, read: impl Fn(&Node) -> Read<T>) -> impl Fn(&Node) -> Read<[T; N]> {
+pub fn array<T, const N: usize>(
+    what: &'static str,
+    read: impl Fn(&Node) -> Parsed<T>,
+) -> impl Fn(&Node) -> Parsed<[T; N]> {
     let list = list(what, N..=N, read);
     move |node| list(node)?.try_into().map_err(|_| node.expected(what))
 }
@@ -117,45 +120,45 @@ pub fn array<T, const N: usize>(what: &'static str, read: impl Fn(&Node) -> Read
 pub fn list<T>(
     what: &'static str,
     count: RangeInclusive<usize>,
-    read: impl Fn(&Node) -> Read<T>,
-) -> impl Fn(&Node) -> Read<Vec<T>> {
+    read: impl Fn(&Node) -> Parsed<T>,
+) -> impl Fn(&Node) -> Parsed<Vec<T>> {
     move |node| {
         let Value::Array(items) = &node.value else {
             return Err(node.expected(what));
         };
-        let values = items.iter().map(&read).collect::<Read<Vec<T>>>()?;
+        let values = items.iter().map(&read).collect::<Parsed<Vec<T>>>()?;
         if count.contains(&values.len()) { Ok(values) } else { Err(node.expected(what)) }
     }
 }
 
 /// Reads three numbers.
-pub fn vector(node: &Node) -> Read<DVec3> {
+pub fn vector(node: &Node) -> Parsed<DVec3> {
     array("three numbers, [x, y, z]", number)(node).map(DVec3::from_array)
 }
 
 /// Reads three numbers, not all zero, and normalizes them to a unit vector.
-pub fn direction(node: &Node) -> Read<DVec3> {
+pub fn direction(node: &Node) -> Parsed<DVec3> {
     let fault = || node.fault("a direction cannot be [0, 0, 0]", "");
     vector(node)?.try_normalize().ok_or_else(fault)
 }
 
 /// Reads three numbers greater than 0.
-pub fn extents(node: &Node) -> Read<DVec3> {
+pub fn extents(node: &Node) -> Parsed<DVec3> {
     array("three numbers above 0, [x, y, z]", positive)(node).map(DVec3::from_array)
 }
 
 /// Reads two numbers greater than 0.
-pub fn extents_2d(node: &Node) -> Read<DVec2> {
+pub fn extents_2d(node: &Node) -> Parsed<DVec2> {
     array("two numbers above 0, [u, v]", positive)(node).map(DVec2::from_array)
 }
 
 /// Reads a color: linear red, green and blue.
-pub fn color(node: &Node) -> Read<DVec3> {
+pub fn color(node: &Node) -> Parsed<DVec3> {
     array("a color, [red, green, blue]", not_negative)(node).map(DVec3::from_array)
 }
 
 /// Reads a string.
-pub fn text(node: &Node) -> Read<&str> {
+pub fn text(node: &Node) -> Parsed<&str> {
     match &node.value {
         Value::Text(text) => Ok(text),
         _ => Err(node.expected("a string")),
@@ -163,13 +166,13 @@ pub fn text(node: &Node) -> Read<&str> {
 }
 
 /// Reads one of the words, and returns the value that belongs to it.
-pub fn word<T: Copy>(choices: &'static [(&'static str, T)]) -> impl Fn(&Node) -> Read<T> {
+pub fn word<T: Copy>(choices: &'static [(&'static str, T)]) -> impl Fn(&Node) -> Parsed<T> {
     let names: Vec<&str> = choices.iter().map(|(name, _)| *name).collect();
     move |node| choice(&names)(node).map(|chosen| choices[chosen].1)
 }
 
 /// Reads one of the words, and returns its index.
-pub fn choice(names: &[&str]) -> impl Fn(&Node) -> Read<usize> {
+pub fn choice(names: &[&str]) -> impl Fn(&Node) -> Parsed<usize> {
     move |node| {
         let Value::Text(word) = &node.value else {
             return Err(node.expected(&format!("one of {}", names.join(", "))));

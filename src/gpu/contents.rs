@@ -9,7 +9,7 @@ use wgpu::util::{BufferInitDescriptor, DeviceExt};
 use wgpu::{Buffer, BufferUsages, Texture};
 
 use super::records::pack;
-use super::source::Source;
+use super::source::Uploads;
 use super::textures::upload_picture;
 use super::uniforms::schedule_values;
 use super::{Geometry, Gpu, GpuError, LightGridData};
@@ -41,7 +41,7 @@ impl SceneBuffers {
         segments: u32,
         (before, mut stored): (Option<&Self>, Option<&mut Stored>),
     ) -> Result<Self, GpuError> {
-        let mut source = Source { scene, geometry, program, fields, segments, kinds: Vec::new() };
+        let mut source = Uploads { scene, geometry, program, fields, segments, kinds: Vec::new() };
         source.kinds = [source.of_kinds(), source.uniforms()].concat();
         let mut made = Self { buffers: BTreeMap::new(), pictures: BTreeMap::new() };
         let stage = gpu.progress.measured("uploading the scene", program.bindings().count() as f64);
@@ -135,7 +135,7 @@ fn upload(gpu: &Gpu, binding: &Binding, bytes: &[u8]) -> Result<Buffer, GpuError
     }))
 }
 
-impl Source<'_> {
+impl Uploads<'_> {
     /// Returns the bytes of one of the scene's buffers.
     fn bytes(&self, binding: &Binding) -> Result<Vec<u8>, GpuError> {
         match (&binding.kind, &binding.role) {

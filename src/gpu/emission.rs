@@ -11,7 +11,7 @@ use crate::scene::{Beam, Light, LightSource, Scene};
 pub struct Emission {
     source: LightSource,
     /// The corners of the box of an emitter, if the light is one.
-    lamp: Option<[DVec3; 2]>,
+    emitter: Option<[DVec3; 2]>,
     /// The sphere that the paths lead into: center and radius.
     into: (DVec3, f64),
     /// The center of the bounding sphere.
@@ -25,7 +25,7 @@ impl Emission {
     pub fn new(scene: &Scene, light: &Light) -> Self {
         let bound = &scene.rays.bounding_sphere;
         let (center, radius) = (bound.center, bound.radius);
-        Self { source: light.source, lamp: None, into: (center, radius), center, radius }
+        Self { source: light.source, emitter: None, into: (center, radius), center, radius }
     }
 
     /// Creates the emission of an emitter.
@@ -34,8 +34,8 @@ impl Emission {
         let bound = &scene.rays.bounding_sphere;
         let (center, radius) = (bound.center, bound.radius);
         let into = beam.through.map_or((center, radius), |object| scene.objects[object].ball());
-        let (lo, hi) = scene.objects[beam.lamp.object].bounds();
-        Self { source: LightSource::Point(beam.lamp.center), lamp: Some([lo, hi]), into, center, radius }
+        let (lo, hi) = scene.objects[beam.emitter.object].bounds();
+        Self { source: LightSource::Point(beam.emitter.center), emitter: Some([lo, hi]), into, center, radius }
     }
 
     /// Returns the flux of all paths together.
@@ -60,7 +60,7 @@ impl Emission {
         let turn = std::f64::consts::TAU * turn;
         let (x, d) = match self.source {
             LightSource::Point(center) => {
-                let position = self.lamp.map_or(center, |[lo, hi]| lo + place_in_box(k) * (hi - lo));
+                let position = self.emitter.map_or(center, |[lo, hi]| lo + place_in_box(k) * (hi - lo));
                 let axis = (self.into.0 - position).normalize_or(DVec3::Z);
                 let cosine = 1.0 - even * (1.0 - self.widest(position));
                 let sine = (1.0 - cosine * cosine).max(0.0).sqrt();

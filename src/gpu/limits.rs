@@ -54,7 +54,7 @@ pub fn check_meshes(program: &Program, geometry: &Geometry, device: &AdapterRepo
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::program::Choice;
+    use crate::program::ProgramOptions;
     use crate::scene::Scene;
 
     #[test]
@@ -65,7 +65,7 @@ mod tests {
                     file = \"a.obj\"\nmaterial = \"m\"\n";
         let scene = Scene::parse(text, &folder.path().join("scene.toml"), &[]).unwrap();
         let geometry = Geometry::new(&scene);
-        let program = Program::new(&scene, &geometry.analysis, &Choice::default(), geometry.extent()).unwrap();
+        let program = Program::new(&scene, &geometry.analysis, &ProgramOptions::default(), geometry.extent()).unwrap();
         let bound = program.bindings().find(|binding| binding.name == "corners").map(|binding| binding.kind.clone());
         let Some(BindingKind::Storage { layout, .. }) = bound else { panic!("{bound:?}") };
         assert_eq!(element_bytes("shape/triangle", "corners").unwrap(), layout.span);

@@ -12,15 +12,15 @@ use super::hierarchy::Node;
 use super::mesh;
 use super::ray_tree::{RayNode, object_tree, ray_tree};
 use super::records::{pack, pack_shared};
-use super::source::Source;
+use super::source::Uploads;
 use crate::model::Value::{self, Float, Uint, Uint4, Vec3};
 use crate::model::camera::{frequency, observer};
 use crate::model::shape::{Primitive, SOLIDS};
 use crate::model::{Binding, Capture, Material, Object, RigidMotion, Row, row};
 use crate::program::{Layout, Obstacle, constant};
-use crate::scene::{Clear, Lamp, Light, LightSource, Segment, Shadows};
+use crate::scene::{Emitter, Light, LightSource, Segment, Shadows, TransparentShadows};
 
-impl Source<'_> {
+impl Uploads<'_> {
     /// Returns the bindings of the scene's kinds (law, method, camera, control and others).
     pub(super) fn of_kinds(&self) -> Vec<Binding> {
         let scene = self.scene;
@@ -84,7 +84,7 @@ impl Source<'_> {
     /// Returns the capture spheres: for images as large as they can be without containing objects, for traced rays unchanged.
     fn captures(&self) -> Vec<Row> {
         let clearance = |x: DVec3| self.geometry.clearance(x);
-        let picture = !self.program.features.purpose.is_given();
+        let picture = !self.program.features.mode.is_given();
         let row = |capture: Capture| {
             let anchor = capture.anchor;
             row! {
@@ -145,12 +145,12 @@ impl Source<'_> {
             "items" => Ok(Some(bytemuck::cast_slice(&g.structure.items).to_vec())),
             "cells" => Ok(g.structure.grid.as_ref().map(|grid| bytemuck::cast_slice(&grid.cells).to_vec())),
             "materials" => self.materials(layout).map(Some),
-            "filters" => pack_shared(name, layout, self.filters()).map(Some),
-            "lamps" => {
-                let row = |lamp: Lamp| -> Row {
-                    row! { center: Vec3(lamp.center), radius: Float(lamp.radius), power: Float(lamp.power) }
+            "absorptions" => pack_shared(name, layout, self.absorptions()).map(Some),
+            "emitters" => {
+                let row = |emitter: Emitter| -> Row {
+                    row! { center: Vec3(emitter.center), radius: Float(emitter.radius), power: Float(emitter.power) }
                 };
-                pack(name, layout, self.scene.lamps().into_iter().map(row)).map(Some)
+                pack(name, layout, self.scene.emitters().into_iter().map(row)).map(Some)
             }
             "sky_cells" => {
                 let columns = constant("path/light_sampling/sky", "SKY_COLUMNS") as u32;
@@ -225,10 +225,12 @@ impl Source<'_> {
     }
 
     /// Returns the shaders' code for straight shadows, which depends on the treatment of transparent objects.
-    pub(super) fn shadow_code(&self, clear: Clear) -> u32 {
+    pub(super) fn shadow_code(&self, clear: TransparentShadows) -> u32 {
         match clear {
-            Clear::Filtered if self.scene.weakens_lines() => constant("surface/shadow/clear", "WEAKENED") as u32,
-            Clear::Closed if self.scene.splits() => constant("surface/shadow/clear", "SHUT_OUT") as u32,
+            TransparentShadows::Filtered if self.scene.weakens_lines() => {
+                constant("surface/shadow/clear", "WEAKENED") as u32
+            }
+            TransparentShadows::Closed if self.scene.splits() => constant("surface/shadow/clear", "SHUT_OUT") as u32,
             _ => 1,
         }
     }
@@ -246,7 +248,7 @@ impl Source<'_> {
         });
         // The guide needs the irradiance of a beam, not its color.
         let guide = self.scene.beams().into_iter().map(|beam| -> Row {
-            row! { color: Vec3(DVec3::splat(beam.lamp.power)), falls: Uint(1), position: Vec3(beam.lamp.center) }
+            row! { color: Vec3(DVec3::splat(beam.emitter.power)), falls: Uint(1), position: Vec3(beam.emitter.center) }
         });
         let (mut bricks, mut values) = (0, 0);
         let row = |(own, field): (Row, &LightGridData)| {
@@ -273,15 +275,15 @@ impl Source<'_> {
         let g = self.geometry;
         // Enlarge the spheres by their own rounding error; the shaders allow for the rounding error of the segment.
         let slack = constant("segment/near_balls", "NEAR_SLACK");
-        let row = |(center, radius): (DVec3, f64), across: DVec3| {
+        let row = |(center, radius): (DVec3, f64), normal: DVec3| {
             let radius = radius + slack * (radius + center.length());
-            row! { center: Vec3(center), radius: Float(radius), across: Vec3(across) }
+            row! { center: Vec3(center), radius: Float(radius), normal: Vec3(normal) }
         };
         let shape = |shape: &PlacedShape| {
             let object = &self.scene.objects[shape.object as usize];
             let flat = object.solid().lists.as_ref().is_some_and(|lists| lists.flat);
-            let across = shape.placed.rows[1].truncate().normalize_or_zero();
-            row(object.ball(), if flat { across } else { DVec3::ZERO })
+            let normal = shape.placed.rows[1].truncate().normalize_or_zero();
+            row(object.ball(), if flat { normal } else { DVec3::ZERO })
         };
         let held = |name: &str| g.analysis.structure.solids.iter().any(|solid| solid.name == name);
         let opaque = g.placed.iter().filter(|(name, _)| !held(name)).flat_map(|(_, shapes)| shapes);

@@ -2,28 +2,28 @@
 
 use glam::DVec3;
 
-use super::source::Source;
+use super::source::Uploads;
 use crate::model::Value::{self, Float, Uint};
-use crate::model::{Filter, Medium, Row};
+use crate::model::{Absorption, Medium, Row};
 use crate::program::{Region, constant};
 
-impl Source<'_> {
-    /// Returns the rows of `filters`: one for each region, followed by one for the surrounding space.
-    pub(super) fn filters(&self) -> Vec<Row> {
-        let none = Filter::even(DVec3::ONE);
+impl Uploads<'_> {
+    /// Returns the rows of `absorptions`: one for each region, followed by one for the surrounding space.
+    pub(super) fn absorptions(&self) -> Vec<Row> {
+        let none = Absorption::even(DVec3::ONE);
         let objects = &self.scene.objects;
-        let of_object = |object: usize| objects[object].interior()?.filter.as_deref();
+        let of_object = |object: usize| objects[object].interior()?.absorption.as_deref();
         // Formulas are counted in the order of the file, whatever the order of the regions.
-        let formulas = |objects: usize| (0..objects).filter_map(of_object).filter_map(Filter::formulas).count();
-        let row = |filter: Option<&Filter>, before: usize| {
-            let filter = filter.unwrap_or(&none);
-            let code = constant("absorption/density", &filter.kind().to_uppercase()) as u32;
+        let formulas = |objects: usize| (0..objects).filter_map(of_object).filter_map(Absorption::formulas).count();
+        let row = |absorption: Option<&Absorption>, before: usize| {
+            let absorption = absorption.unwrap_or(&none);
+            let code = constant("absorption/density", &absorption.kind().to_uppercase()) as u32;
             let kind = vec![("kind".into(), Uint(code))];
-            [filter.values(formulas(before)), kind].concat()
+            [absorption.values(formulas(before)), kind].concat()
         };
         let regions = self.geometry.analysis.regions.regions.iter();
         let of_regions = regions.map(|region| row(of_object(region.object), region.object));
-        of_regions.chain([row(self.scene.filter.as_ref(), objects.len())]).collect()
+        of_regions.chain([row(self.scene.absorption.as_ref(), objects.len())]).collect()
     }
 
     /// Returns the rows of `regions`.
@@ -44,7 +44,7 @@ impl Source<'_> {
     /// Returns `true` if the camera's rays start inside this mesh. For analytic shapes every ray determines this itself.
     fn starts_in(&self, object: usize) -> bool {
         let object = &self.scene.objects[object];
-        let camera = self.scene.camera.as_ref().filter(|_| !self.program.features.purpose.is_given());
+        let camera = self.scene.camera.as_ref().filter(|_| !self.program.features.mode.is_given());
         object.shape.mesh().is_some() && camera.is_some_and(|camera| object.contains(camera.position))
     }
 

@@ -6,7 +6,7 @@ use crate::program::Program;
 use crate::scene::Scene;
 
 /// A scene, with the results of its analysis.
-pub(super) struct Source<'a> {
+pub(super) struct Uploads<'a> {
     pub(super) scene: &'a Scene,
     pub(super) geometry: &'a Geometry,
     pub(super) program: &'a Program,

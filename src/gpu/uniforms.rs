@@ -2,13 +2,13 @@
 
 use glam::DVec3;
 
-use super::source::Source;
+use super::source::Uploads;
 use super::structure::Grid;
 use crate::model::Value::{self, Uint};
 use crate::model::{Binding, Row, row};
-use crate::scene::{Branches, Clear, Scene, Segment, Sky};
+use crate::scene::{Scene, Segment, Sky, Splitting, TransparentShadows};
 
-impl Source<'_> {
+impl Uploads<'_> {
     /// Returns the values that a scene has once, each as one struct.
     pub(super) fn uniforms(&self) -> Vec<Binding> {
         let Scene { image, output, rays, sky, sky_other_side: beyond, .. } = self.scene;
@@ -46,7 +46,7 @@ impl Source<'_> {
                 all.push(one("moving_arcs", row! { tolerance: Float(tolerance) }));
             }
         }
-        if let Branches::Enumerated(depth) = rays.max_splits {
+        if let Splitting::Enumerated(depth) = rays.max_splits {
             all.push(one("branching", row! { depth: Uint(depth) }));
         }
         all.extend(beyond.as_ref().map(|sky| one("beyond_sky", sky_row(sky))));
@@ -66,7 +66,7 @@ impl Source<'_> {
         let across = if along_law { f64::from(f32::MAX) } else { 2.0 * self.scene.rays.bounding_sphere.radius };
         let distance = occlusion.and_then(|occlusion| occlusion.distance).unwrap_or(across);
         let floor = occlusion.map_or(0.0, |occlusion| occlusion.floor);
-        let shadows = self.shadow_code(occlusion.map_or(Clear::Open, |occlusion| occlusion.clear));
+        let shadows = self.shadow_code(occlusion.map_or(TransparentShadows::Open, |occlusion| occlusion.clear));
         row! { distance: Float(distance), floor: Float(floor), shadows: Uint(shadows) }
     }
 }

@@ -10,7 +10,7 @@
 use std::fmt;
 
 use super::ends::{Settled, compared_layers};
-use super::refined::{Found, Trying};
+use super::refined::{Refinement, Trying};
 use super::trials::{LOST, MARGIN, TOO_MANY, Trial, Trials, segments};
 use super::{fast_methods, usual_method};
 use crate::gpu::{Gpu, GpuError};
@@ -160,13 +160,13 @@ impl<'a, 's> Preparation<'a, 's> {
 }
 
 /// Returns the calibration of a method that was compared only with finer settings.
-fn trusted(scene: &Scene, settings: &RenderSettings, accuracy: f64, trying: &Trying, found: Found) -> Calibration {
-    let Found { control, error, cost, rays } = found;
+fn trusted(scene: &Scene, settings: &RenderSettings, accuracy: f64, trying: &Trying, found: Refinement) -> Calibration {
+    let Refinement { control, error, cost, rays } = found;
     let method = trying.method();
     let chosen = Trial { method, control, error, cost };
     Calibration {
         rays,
-        layers: compared_layers(&settings.choice.layers),
+        layers: compared_layers(&settings.options.layers),
         ..chosen_for(scene, settings, accuracy, chosen)
     }
 }
@@ -266,7 +266,7 @@ pub(super) fn chosen_for(scene: &Scene, settings: &RenderSettings, accuracy: f64
         in_double: None,
         rays: Settled::default(),
         compared: false,
-        layers: settings.choice.layers.clone(),
+        layers: settings.options.layers.clone(),
     }
 }
 

@@ -94,7 +94,7 @@ impl ReferenceSolution {
         let gpu = other.as_ref().unwrap_or(gpu);
         let scene = reference(scene, tolerance);
         let settings = RenderSettings { segments: SEGMENTS_PER_PASS, ..RenderSettings::default() };
-        let mut tracer = Tracer::new(gpu, &scene, settings, starts.purpose())?;
+        let mut tracer = Tracer::new(gpu, &scene, settings, starts.mode())?;
         let fine = tracer.follow(starts)?.0;
         let control = scene.rays.control;
         let Some(tolerance) = control.tolerance() else {

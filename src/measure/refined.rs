@@ -10,7 +10,7 @@
 use super::ends::{End, Finest, Settled, compared_layers, ends};
 use super::{Candidate, cost};
 use crate::gpu::Gpu;
-use crate::program::Choice;
+use crate::program::ProgramOptions;
 use crate::render::{RenderError, RenderSettings, Renderer};
 use crate::scene::{Control, LightGrid, Method, Scene};
 
@@ -38,7 +38,7 @@ const NO_BETTER: f64 = 1.5;
 
 /// A method at a setting, with the results of a search.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Found {
+pub(super) struct Refinement {
     pub control: Control,
     /// The error bound of 99 of 100 rays, in radians; of settled rays only, if too many are not.
     pub error: f64,
@@ -85,8 +85,8 @@ impl<'a> Trying<'a> {
         for light in &mut small.lights {
             light.grid = LightGrid::COARSEST;
         }
-        let choice = Choice { layers: compared_layers(&settings.choice.layers), ..settings.choice.clone() };
-        let settings = RenderSettings { choice, window: None, ..settings.clone() };
+        let options = ProgramOptions { layers: compared_layers(&settings.options.layers), ..settings.options.clone() };
+        let settings = RenderSettings { options, window: None, ..settings.clone() };
         let renderer = Renderer::keeping(gpu, small, settings)?;
         let mut trying = Self { renderer, scene: scene.clone(), candidate, max_segments, first: None };
         // Drivers compile a program when it first runs.
@@ -111,12 +111,12 @@ impl<'a> Trying<'a> {
 
     /// Returns the coarsest setting with which 99 of 100 rays have errors up to `accuracy`, in radians, or otherwise the cheapest that is
     /// nearly the best. Returns `None` if no two settings could run. `rays` is the number of rays of the whole image.
-    pub fn search(&mut self, accuracy: f64, rays: u64) -> Result<Option<Found>, RenderError> {
+    pub fn search(&mut self, accuracy: f64, rays: u64) -> Result<Option<Refinement>, RenderError> {
         let Some(first) = self.first.take() else { return Ok(None) };
         let mut budget = Budget::new(self.scene.image.size, rays, first.cost);
         let Some(truth) = self.truth(first, accuracy, &mut budget)? else { return Ok(None) };
         let last = self.candidate.controls.len() - 1;
-        let mut tried: Vec<Found> = Vec::new();
+        let mut tried: Vec<Refinement> = Vec::new();
         let mut k = FIRST;
         loop {
             let control = self.candidate.controls[k];
@@ -124,7 +124,7 @@ impl<'a> Trying<'a> {
             budget.spend(run.cost);
             let error = truth.deviation(&run.ends);
             let was_right = tried.iter().any(|found| found.error <= accuracy);
-            tried.push(Found { control, error, cost: run.cost, rays: truth.rays });
+            tried.push(Refinement { control, error, cost: run.cost, rays: truth.rays });
             let is_right = error <= accuracy;
             // The number of settings further that the search may or must move.
             let further = ((accuracy / error).ln() / FINER.ln()).abs().min(last as f64) as usize;
@@ -142,13 +142,13 @@ impl<'a> Trying<'a> {
     }
 
     /// Tries the setting between the coarsest accurate one and the next coarser one.
-    fn halve(&mut self, truth: &Finest, accuracy: f64, tried: &mut Vec<Found>) -> Result<(), RenderError> {
+    fn halve(&mut self, truth: &Finest, accuracy: f64, tried: &mut Vec<Refinement>) -> Result<(), RenderError> {
         let right = tried.iter().filter(|found| found.error <= accuracy).min_by(|a, b| a.cost.total_cmp(&b.cost));
         let wrong = tried.iter().filter(|found| found.error > accuracy).max_by(|a, b| a.cost.total_cmp(&b.cost));
         let (Some(right), Some(wrong)) = (right, wrong) else { return Ok(()) };
         let control = wrong.control.between(right.control);
         if let Some(run) = self.run(control)? {
-            tried.push(Found { control, error: truth.deviation(&run.ends), cost: run.cost, rays: truth.rays });
+            tried.push(Refinement { control, error: truth.deviation(&run.ends), cost: run.cost, rays: truth.rays });
         }
         Ok(())
     }

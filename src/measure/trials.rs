@@ -95,7 +95,7 @@ impl<'a> Trials<'a> {
         scene.rays.max_segments = segments(self.scene);
         // For few rays, the number of passes matters more than the number of running rays.
         let settings = RenderSettings { segments: 256, ..self.settings.clone() };
-        let mut tracer = Tracer::new(self.gpu, &scene, settings, self.starts().purpose())?;
+        let mut tracer = Tracer::new(self.gpu, &scene, settings, self.starts().mode())?;
         let mut tried = |control| -> Result<Trial, RenderError> {
             tracer.retune(control, scene.rays.max_segments)?;
             let (rays, _) = tracer.follow(self.starts())?;

@@ -29,7 +29,7 @@ pub mod point_source;
 pub mod shape;
 mod value;
 
-pub use absorption::Filter;
+pub use absorption::Absorption;
 pub use camera::{Camera, Projection, Stereo, StereoLayout};
 pub use control::Control;
 pub use dyn_eq::DynEq;

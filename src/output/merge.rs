@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 use super::band::channel_names;
 use super::exr::ExrWriter;
 use super::origin::{SHOWN, difference, shown_words};
-use super::part::Part;
+use super::part::ImagePart;
 use super::{FileSettings, ImageWriter, OutputError, has_extension, open};
 use crate::render::{Band, Window};
 
@@ -24,7 +24,7 @@ const SAMPLE_BYTES: usize = 4;
 /// Returns [`OutputError::Part`] if a part is not from `render`, the parts have different settings, leave a gap or disagree on a pixel; and
 /// an error if a file cannot be read or written.
 pub fn merge(parts: &[PathBuf], outputs: &[PathBuf]) -> Result<(), OutputError> {
-    let mut parts = parts.iter().map(|path| Part::open(path)).collect::<Result<Vec<_>, _>>()?;
+    let mut parts = parts.iter().map(|path| ImagePart::open(path)).collect::<Result<Vec<_>, _>>()?;
     let Some(first) = parts.first() else { return Ok(()) };
     parts.iter().try_for_each(|part| alike(first, part))?;
     let size = first.settings.size;
@@ -115,7 +115,7 @@ impl Whole {
 }
 
 /// Checks that a part belongs to the same image as the first.
-fn alike(first: &Part, part: &Part) -> Result<(), OutputError> {
+fn alike(first: &ImagePart, part: &ImagePart) -> Result<(), OutputError> {
     let (whole, own) = (&first.settings, &part.settings);
     let other = first.path.display();
     let differ = |problem: String| Err(OutputError::Part { path: part.path.clone(), problem });

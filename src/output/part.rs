@@ -33,7 +33,7 @@ use crate::render::Window;
 type Blocks = SequentialBlockDecompressor<AllChunksReader<BufReader<File>>>;
 
 /// An EXR with a part of an image, or all of it.
-pub struct Part {
+pub struct ImagePart {
     pub path: PathBuf,
     /// The settings with which it was written.
     pub settings: FileSettings,
@@ -52,7 +52,7 @@ struct Reading {
     next: usize,
 }
 
-impl Part {
+impl ImagePart {
     /// Opens a file and reads its metadata.
     pub fn open(path: &Path) -> Result<Self, OutputError> {
         let wrong = |problem: String| OutputError::Part { path: path.to_owned(), problem };

@@ -6,7 +6,7 @@ use std::io::BufReader;
 use std::path::Path;
 
 use super::origin::{PART, SHOWN, with_part, with_shown};
-use super::part::{Part, said_by_exr};
+use super::part::{ImagePart, said_by_exr};
 use super::{FileSettings, OutputError, has_extension};
 
 /// Returns the metadata under `key` of the image at `path`, an EXR or a PNG.
@@ -32,7 +32,7 @@ pub fn said(path: &Path, key: &str) -> Result<String, OutputError> {
 /// Returns an error if the file cannot be read, or is not an image that `render` writes.
 pub fn settings_of(path: &Path) -> Result<FileSettings, OutputError> {
     if has_extension(path, "exr") {
-        return Ok(Part::open(path)?.settings);
+        return Ok(ImagePart::open(path)?.settings);
     }
     let reader = png_reader(path)?;
     let info = reader.info();

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::path::Path;
 
 use super::band::{channel_names, channels as channels_of};
-use super::part::Part;
+use super::part::ImagePart;
 use super::{FileSettings, OutputError};
 use crate::program::LayerKind;
 use crate::render::{Band, Plane};
@@ -15,7 +15,7 @@ use crate::render::{Band, Plane};
 ///
 /// Returns an error if the file cannot be read, or is not an image that `render` wrote.
 pub fn picture(path: &Path) -> Result<(FileSettings, Band), OutputError> {
-    let mut part = Part::open(path)?;
+    let mut part = ImagePart::open(path)?;
     let [width, rows] = part.settings.window.size;
     let settings = part.settings.clone();
     let names = channel_names(&settings);

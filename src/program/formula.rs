@@ -69,27 +69,27 @@ pub(super) fn fans(fans: &[&[FanRay]]) -> Unit {
 }
 
 /// A conversion in a separate function, because naga does not convert a 64-bit constant to 32 bits; an argument is not a constant.
-const ROUNDED: &str = "fn filter_rounded(value: Real) -> f32 {\n    return f32(value);\n}\n\n";
+const ROUNDED: &str = "fn absorption_rounded(value: Real) -> f32 {\n    return f32(value);\n}\n\n";
 
-/// Generates `filter_formula(which, q)`: three numbers, one for each channel.
-pub(super) fn filters(filters: &[&[Formula; 3]]) -> Unit {
+/// Generates `absorption_formula(which, q)`: three numbers, one for each channel.
+pub(super) fn absorptions(absorptions: &[&[Formula; 3]]) -> Unit {
     let (mut text, mut calls) = (ROUNDED.to_owned(), Vec::new());
-    for (which, formulas) in filters.iter().enumerate() {
+    for (which, formulas) in absorptions.iter().enumerate() {
         let mut channels = Vec::new();
         for (k, formula) in formulas.iter().enumerate() {
             let (graph, [.., value]) = formula.graph();
             let (lines, values) = body(graph, &[value], &["q.x", "q.y", "q.z"]);
             let _ = writeln!(
                 text,
-                "// {formula}\nfn filter_{which}_{k}(q: Real3) -> f32 {{\n{lines}    return filter_rounded({});\n}}\n",
+                "// {formula}\nfn filter_{which}_{k}(q: Real3) -> f32 {{\n{lines}    return absorption_rounded({});\n}}\n",
                 values.join("")
             );
             channels.push(format!("filter_{which}_{k}(q)"));
         }
         calls.push((format!("{which}u"), format!("vec3f({})", channels.join(", "))));
     }
-    text += &switch("fn filter_formula(which: u32, q: Real3) -> vec3f", "which", &calls);
-    unit("generated/filter_formulas.wgsl", text)
+    text += &switch("fn absorption_formula(which: u32, q: Real3) -> vec3f", "which", &calls);
+    unit("generated/absorption_formulas.wgsl", text)
 }
 
 fn function(name: &str, formula: &Formula) -> String {
@@ -259,7 +259,7 @@ impl Writer<'_> {
             Node::Call(function, a) => self.call(function, a),
             Node::Min(a, b) => (format!("formula_min({}, {})", self.argument(a), self.argument(b)), WHOLE),
             Node::Max(a, b) => (format!("formula_max({}, {})", self.argument(a), self.argument(b)), WHOLE),
-            Node::Choice([a, b, c, d]) => {
+            Node::ProgramOptions([a, b, c, d]) => {
                 let [a, b, c, d] = [a, b, c, d].map(|id| self.argument(id));
                 (format!("select({d}, {c}, {a} < {b})"), WHOLE)
             }

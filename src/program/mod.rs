@@ -9,7 +9,6 @@
 
 mod analysis;
 mod bindings;
-mod choice;
 mod copies;
 mod declarations;
 mod error;
@@ -28,6 +27,7 @@ mod loop_counts;
 mod lower;
 mod names;
 mod onward_parts;
+mod options;
 mod parts;
 mod picture_parts;
 mod plan;
@@ -53,9 +53,9 @@ mod user_wgsl;
 mod validate;
 
 pub use analysis::Analysis;
-pub use choice::{Choice, Pass, Purpose, RaySkipping, Schedule};
 pub use error::ProgramError;
 pub use features::Features;
+pub use options::{Mode, Pass, ProgramOptions, RaySkipping, Schedule};
 
 pub use generated::{all_shots, solid_code, solid_codes};
 pub use interface::{Access, Role, SceneValue, Slot, StatePart};
@@ -63,7 +63,7 @@ pub use layer::{Layer, LayerKind};
 pub use link::{link, link_all};
 pub use linked::LinkedProgram;
 pub use location::Location;
-pub use parts::{Part, all_parts, constant, part};
+pub use parts::{ShaderModule, all_parts, constant, part};
 pub use plan::plan;
 pub use profile::{DeviceProfile, LoopBudget};
 pub use reflect::{Binding, BindingKind, BlockMember, Field, Layout, Reflection, element_bytes, reflect};
@@ -93,8 +93,13 @@ impl Program {
     /// # Errors
     ///
     /// Returns [`ProgramError::TooManyItems`] if the scene has too many primitives, or another error if its own WGSL is invalid.
-    pub fn new(scene: &Scene, analysis: &Analysis, choice: &Choice, extent: Extent) -> Result<Self, ProgramError> {
-        Self::after(None, scene, analysis, choice, extent)
+    pub fn new(
+        scene: &Scene,
+        analysis: &Analysis,
+        options: &ProgramOptions,
+        extent: Extent,
+    ) -> Result<Self, ProgramError> {
+        Self::after(None, scene, analysis, options, extent)
     }
 
     /// Creates a program as [`new`](Self::new) does, and reuses the passes of the previous program `before` if they have the same modules.
@@ -106,12 +111,12 @@ impl Program {
         before: Option<&Self>,
         scene: &Scene,
         analysis: &Analysis,
-        choice: &Choice,
+        options: &ProgramOptions,
         extent: Extent,
     ) -> Result<Self, ProgramError> {
         extent.check(&analysis.structure)?;
-        let suspends = choice.device.loop_budget.is_some() && extent.is_long(scene, &analysis.regions);
-        let features = Features { suspends, ..Features::of(scene, choice, analysis) };
+        let suspends = options.device.loop_budget.is_some() && extent.is_long(scene, &analysis.regions);
+        let features = Features { suspends, ..Features::of(scene, options, analysis) };
         let parts = plan(scene, analysis, &features)?;
         let wanted = features.passes();
         let is_same = |other: &&Self| other.parts == parts && other.passes.iter().map(|(pass, ..)| pass).eq(&wanted);

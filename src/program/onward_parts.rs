@@ -2,37 +2,37 @@
 
 use super::names::Names;
 use super::regions::Regions;
-use super::{Features, Purpose, formula, generated};
-use crate::model::{Filter, Gloss, Material};
+use super::{Features, Mode, formula, generated};
+use crate::model::{Absorption, Gloss, Material};
 use crate::scene::Scene;
 
 /// Adds the modules for absorption in media.
-pub(super) fn filter_parts(scene: &Scene, features: &Features, names: &mut Names) {
-    if !features.filters {
+pub(super) fn absorption_modules(scene: &Scene, features: &Features, names: &mut Names) {
+    if !features.absorbs {
         return;
     }
     names.all(&["absorption/along", "absorption/density", "absorption/track", "absorption/jumping"]);
-    let mut kinds: Vec<_> = scene.filters().map(|filter| (filter.texture().is_some(), filter.kind())).collect();
+    let mut kinds: Vec<_> = scene.absorptions().map(|filter| (filter.texture().is_some(), filter.kind())).collect();
     // If nothing absorbs, absorption is uniform.
     kinds.push((false, "even"));
     kinds.sort_unstable();
     kinds.dedup();
-    if scene.filters().any(|filter| filter.texture().is_some()) {
+    if scene.absorptions().any(|filter| filter.texture().is_some()) {
         names.all(&["absorption/noise", "medium/fractal_noise"]);
     }
-    let formulas: Vec<_> = scene.filters().filter_map(Filter::formulas).collect();
+    let formulas: Vec<_> = scene.absorptions().filter_map(Absorption::formulas).collect();
     if !formulas.is_empty() {
-        names.make(formula::filters(&formulas));
+        names.make(formula::absorptions(&formulas));
         names.add("medium/formula");
     }
-    names.make(generated::filters(&kinds));
+    names.make(generated::absorptions(&kinds));
 }
 
 /// Adds the modules for the medium of a ray, and for scattering at surfaces.
 pub(super) fn scatter_parts(scene: &Scene, features: &Features, regions: &Regions, names: &mut Names) {
     if !features.scatters {
         names.all(&["surface/region_none", "surface/scatter/none"]);
-        names.add(plain_weight(features));
+        names.add(plain_throughput(features));
         return;
     }
     let &Features { follows_paths, in_pieces, is_translucent, has_regions, .. } = features;
@@ -82,7 +82,7 @@ fn path_parts(scene: &Scene, features: &Features, names: &mut Names) {
         "path/vertex",
         "path/scatter",
         "path/light_sampling/flight",
-        "path/answer",
+        "path/bsdf",
     ]);
     names.when(features.clamps, &["picture/clamped"]);
     if !aims.is_empty() {
@@ -94,21 +94,21 @@ fn path_parts(scene: &Scene, features: &Features, names: &mut Names) {
 /// Adds the modules for the throughput of scattered rays, and for the choice between two branches.
 fn sent_parts(scene: &Scene, features: &Features, names: &mut Names) {
     let is_gray = |material: &Material| !material.surface.facts().continues || material.color.is_gray();
-    names.add(match plain_weight(features) {
-        "surface/weight/none" if features.is_picture() && scene.materials.iter().all(is_gray) => {
-            "surface/weight/single"
+    names.add(match plain_throughput(features) {
+        "surface/throughput/none" if features.is_picture() && scene.materials.iter().all(is_gray) => {
+            "surface/throughput/single"
         }
-        "surface/weight/none" if features.is_picture() => "surface/weight/colored",
+        "surface/throughput/none" if features.is_picture() => "surface/throughput/colored",
         filtered => filtered,
     });
 }
 
 /// Returns the module for the throughput of a ray before any surface has changed it.
-fn plain_weight(features: &Features) -> &'static str {
-    match features.purpose {
-        Purpose::Light | Purpose::Caustics => "surface/weight/single",
-        Purpose::Picture if features.sees_glow => "path/carried",
-        Purpose::Picture if features.filters => "surface/weight/colored",
-        _ => "surface/weight/none",
+fn plain_throughput(features: &Features) -> &'static str {
+    match features.mode {
+        Mode::Light | Mode::Caustics => "surface/throughput/single",
+        Mode::Picture if features.sees_glow => "path/carried",
+        Mode::Picture if features.absorbs => "surface/throughput/colored",
+        _ => "surface/throughput/none",
     }
 }

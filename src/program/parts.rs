@@ -12,7 +12,7 @@ static SHADERS: Dir<'static> = include_dir!("$CARGO_MANIFEST_DIR/shaders");
 
 /// A built-in module: a WGSL file of `shaders/` that implements one contract.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Part {
+pub struct ShaderModule {
     /// The path below `shaders/`, such as `law/sources.wgsl`.
     pub file: &'static str,
     /// Its text.
@@ -20,7 +20,7 @@ pub struct Part {
 }
 
 /// All modules by path.
-static PARTS: LazyLock<BTreeMap<&str, Part>> =
+static PARTS: LazyLock<BTreeMap<&str, ShaderModule>> =
     LazyLock::new(|| parts_in(&SHADERS).map(|part| (part.file.trim_end_matches(".wgsl"), part)).collect());
 
 /// The tokens of all modules by file.
@@ -34,18 +34,18 @@ pub(super) fn part_tokens(file: &str) -> Option<Tokens<'static>> {
 
 /// Returns the module `name`, a path below `shaders/` without its extension.
 #[must_use]
-pub fn part(name: &str) -> Option<Part> {
+pub fn part(name: &str) -> Option<ShaderModule> {
     PARTS.get(name).copied()
 }
 
 /// Returns every module, sorted by path.
 #[must_use]
-pub fn all_parts() -> Vec<Part> {
+pub fn all_parts() -> Vec<ShaderModule> {
     PARTS.values().copied().collect()
 }
 
-fn parts_in(folder: &'static Dir) -> Box<dyn Iterator<Item = Part>> {
-    let part = |file: &'static File| Some(Part { file: file.path().to_str()?, text: file.contents_utf8()? });
+fn parts_in(folder: &'static Dir) -> Box<dyn Iterator<Item = ShaderModule>> {
+    let part = |file: &'static File| Some(ShaderModule { file: file.path().to_str()?, text: file.contents_utf8()? });
     let wgsl = folder.files().filter(|file| file.path().extension().is_some_and(|extension| extension == "wgsl"));
     Box::new(wgsl.filter_map(part).chain(folder.dirs().flat_map(parts_in)))
 }

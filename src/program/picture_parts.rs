@@ -4,7 +4,7 @@ use super::names::Names;
 use super::skies::two_skies;
 use super::{Features, ProgramError, generated};
 use crate::model::Pattern;
-use crate::model::material::Facts;
+use crate::model::material::SurfaceProperties;
 use crate::program::Layer;
 use crate::scene::{SamplePattern, Scene, Shadows};
 
@@ -14,7 +14,7 @@ pub(super) fn camera_parts(scene: &Scene, features: &Features, names: &mut Names
         names.all(scene.law.facts().momentum_parts);
     }
     names.add("camera/arrival");
-    if features.purpose.is_given() {
+    if features.mode.is_given() {
         names.add("camera/given");
         return;
     }
@@ -99,7 +99,7 @@ pub(super) fn material_parts(scene: &Scene, features: &Features, names: &mut Nam
     names.all(&kinds);
     names.add("surface/pattern");
     names.each("surface/light", lights.iter().copied());
-    let parts_of = |wanted: fn(&Facts) -> bool| -> Vec<&str> {
+    let parts_of = |wanted: fn(&SurfaceProperties) -> bool| -> Vec<&str> {
         ends()
             .filter(|material| wanted(&material.surface.facts()))
             .map(|material| material.surface.facts().part)

@@ -2,7 +2,7 @@
 //! without alternatives; code that a pass does not reach is dropped by the linker.
 
 use super::names::Names;
-use super::onward_parts::{filter_parts, scatter_parts};
+use super::onward_parts::{absorption_modules, scatter_parts};
 use super::picture_parts::{camera_parts, material_parts, picture_parts, samples_part};
 use super::region_parts::region_parts;
 use super::regions::RegionKind;
@@ -43,7 +43,7 @@ pub fn plan(scene: &Scene, analysis: &Analysis, features: &Features) -> Result<P
         "surface/shadow/clear",
         "surface/shadow/look",
         "surface/vertex_colors",
-        "surface/weight/sure",
+        "surface/throughput/finite",
         "segment/ray",
         "state/arguments",
         "law/leaving",
@@ -98,7 +98,7 @@ pub fn plan(scene: &Scene, analysis: &Analysis, features: &Features) -> Result<P
     shadow_parts(features, &mut names);
     let wavelength = if features.draws_wavelength { "path/spectrum" } else { "medium/wavelength" };
     names.when(features.disperses, &[wavelength]);
-    filter_parts(scene, features, &mut names);
+    absorption_modules(scene, features, &mut names);
     let of_kind = |kind: &RegionKind| region_parts(scene, features, regions, kind);
     Ok(Parts {
         shared: names.units()?,
@@ -123,7 +123,7 @@ fn schedule_parts(features: &Features, names: &mut Names) {
         samples_part(features),
     ]);
     names.all(match features.masks {
-        _ if features.purpose.leaves_light() => &["segment/run_active", "segment/leave_light"],
+        _ if features.mode.leaves_light() => &["segment/run_active", "segment/leave_light"],
         RaySkipping::Off => &["segment/run_all"],
         RaySkipping::Grid | RaySkipping::List => &["segment/run_active"],
     });

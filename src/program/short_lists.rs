@@ -30,8 +30,8 @@ pub(super) fn lengths(scene: &Scene, regions: &Regions) -> Vec<(&'static str, us
         ("point_lights", points),
         ("directional_lights", plain().count() - points),
         ("shot_lights", shot),
-        ("lamps", scene.lamps().len()),
-        ("filters", regions.regions.len() + 1),
+        ("emitters", scene.emitters().len()),
+        ("absorptions", regions.regions.len() + 1),
         ("grid_lights", grids + scene.beams().len()),
     ];
     others.into_iter().chain(placed).collect()

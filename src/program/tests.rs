@@ -121,14 +121,14 @@ fn files(folder: &Path, extension: &str) -> Vec<PathBuf> {
 }
 
 /// Returns the choices for a scene: images by every schedule, all layers, every way to skip terminated rays, and every purpose.
-fn choices() -> Vec<Choice> {
-    let plain = Choice::default;
-    let purposes = [Purpose::Trace, Purpose::Pixels, Purpose::Lit, Purpose::Light, Purpose::Caustics, Purpose::Bare];
-    let schedules = Schedule::ALL.map(|schedule| Choice { schedule, masks: schedule.masks(), ..plain() });
-    let purposes = purposes.map(|purpose| Choice { purpose, schedule: Schedule::Fused, ..plain() });
+fn all_options() -> Vec<ProgramOptions> {
+    let plain = ProgramOptions::default;
+    let purposes = [Mode::Trace, Mode::Pixels, Mode::Lit, Mode::Light, Mode::Caustics, Mode::Bare];
+    let schedules = Schedule::ALL.map(|schedule| ProgramOptions { schedule, masks: schedule.masks(), ..plain() });
+    let purposes = purposes.map(|mode| ProgramOptions { mode, schedule: Schedule::Fused, ..plain() });
     let others = [
-        Choice { layers: Layer::ALL.to_vec(), ..plain() },
-        Choice { schedule: Schedule::Fused, masks: RaySkipping::Off, ..plain() },
+        ProgramOptions { layers: Layer::ALL.to_vec(), ..plain() },
+        ProgramOptions { schedule: Schedule::Fused, masks: RaySkipping::Off, ..plain() },
     ];
     schedules.into_iter().chain(purposes).chain(others).collect()
 }
@@ -137,8 +137,8 @@ fn choices() -> Vec<Choice> {
 fn reached(scene: &Scene) -> BTreeSet<String> {
     let analysis = Analysis::of(scene);
     let mut reached = BTreeSet::new();
-    for choice in choices() {
-        let features = Features::of(scene, &choice, &analysis);
+    for options in all_options() {
+        let features = Features::of(scene, &options, &analysis);
         let parts = plan(scene, &analysis, &features).unwrap();
         let mut sources = Sources::of(&parts);
         sources.edit(|tokens, _| in_uniforms(tokens, &parts.lengths));

@@ -2,7 +2,7 @@
 
 use std::borrow::Cow;
 
-use super::{DeviceProfile, Part};
+use super::{DeviceProfile, ShaderModule};
 
 /// A piece of WGSL: a built-in module, text generated for a scene, or a user's file.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -46,8 +46,8 @@ impl Unit {
     }
 }
 
-impl From<Part> for Unit {
-    fn from(part: Part) -> Self {
+impl From<ShaderModule> for Unit {
+    fn from(part: ShaderModule) -> Self {
         Self { file: part.file.into(), text: part.text.into(), author: Author::BuiltIn }
     }
 }

@@ -23,7 +23,7 @@ use super::readback::read_buffer;
 use super::tile::TileEnd;
 use super::{RenderError, RenderSettings, Totals};
 use crate::gpu::{Aim, Emission, Gpu, LightGridData, LightVolume, Tile, light_bytes, pack};
-use crate::program::{Choice, Purpose, RaySkipping, Role, Schedule, constant};
+use crate::program::{Mode, ProgramOptions, RaySkipping, Role, Schedule, constant};
 use crate::progress::Stage;
 use crate::scene::{LightGrid, Scene, Shadows};
 
@@ -69,7 +69,7 @@ pub fn light_grids(
             narrows: true,
         })
         .collect();
-    fields(gpu, scene.clone(), settings, (Purpose::Light, &wanted))
+    fields(gpu, scene.clone(), settings, (Mode::Light, &wanted))
 }
 
 /// Creates the grids of the light that guides a scene's paths.
@@ -80,17 +80,17 @@ fn guide(
 ) -> Result<Vec<(LightGridData, LightReport)>, RenderError> {
     let beams = scene.beams();
     let bends = beams.iter().any(|beam| beam.through.is_none());
-    let purpose = if bends { Purpose::Light } else { Purpose::Caustics };
+    let mode = if bends { Mode::Light } else { Mode::Caustics };
     let wanted: Vec<_> = beams
         .iter()
         .map(|beam| Wanted {
-            of: GridSource::Beam(beam.lamp.object, beam.through),
+            of: GridSource::Beam(beam.emitter.object, beam.through),
             emission: Emission::of_lamp(scene, beam),
             grid: scene.guide_grid(),
             narrows: bends,
         })
         .collect();
-    fields(gpu, scene.of_beams(), settings, (purpose, &wanted))
+    fields(gpu, scene.of_beams(), settings, (mode, &wanted))
 }
 
 /// A grid to create.
@@ -113,7 +113,7 @@ fn fields(
     gpu: &Gpu,
     mut followed: Scene,
     settings: &RenderSettings,
-    (purpose, wanted): (Purpose, &[Wanted]),
+    (mode, wanted): (Mode, &[Wanted]),
 ) -> Result<Vec<(LightGridData, LightReport)>, RenderError> {
     if wanted.is_empty() {
         return Ok(Vec::new());
@@ -125,12 +125,13 @@ fn fields(
         let voxels = volumes.iter().map(LightVolume::voxels).sum();
         return Err(RenderError::LightGrid { voxels, needed: all, allowed: settings.memory });
     }
-    let choice = Choice { purpose, schedule: Schedule::Fused, masks: RaySkipping::List, ..Choice::default() };
+    let options =
+        ProgramOptions { mode, schedule: Schedule::Fused, masks: RaySkipping::List, ..ProgramOptions::default() };
     // A leap does not record the voxels that it passes.
     if std::mem::take(&mut followed.rays.leaps) && !guides {
         followed.rays.max_segments = followed.rays.max_segments.max(ARCS);
     }
-    let own = RenderSettings { choice, window: None, ..settings.clone() };
+    let own = RenderSettings { options, window: None, ..settings.clone() };
     let prepared = Prepared::new(gpu, Cow::Borrowed(&followed), own, LightGrids::default())?;
     let mut maker = Maker { prepared };
     // Each light gets an equal share of the memory for bricks, and of a buffer.

@@ -13,7 +13,7 @@ use super::records::{Records, Row};
 use super::{RenderError, RenderSettings, Totals};
 use crate::gpu::{Gpu, GpuError};
 use crate::model::Control;
-use crate::program::{Choice, Purpose, RaySkipping, Role, Schedule, all_shots, constant};
+use crate::program::{Mode, ProgramOptions, RaySkipping, Role, Schedule, all_shots, constant};
 use crate::scene::Scene;
 
 /// A path from a light to a position.
@@ -92,9 +92,13 @@ impl<'a> LightTracer<'a> {
     ///
     /// Returns the errors of [`light_paths`].
     pub fn new(gpu: &'a Gpu, scene: Scene, settings: &RenderSettings) -> Result<Self, RenderError> {
-        let choice =
-            Choice { purpose: Purpose::Lit, schedule: Schedule::Fused, masks: RaySkipping::Off, ..Choice::default() };
-        let settings = RenderSettings { choice, ..settings.clone() };
+        let options = ProgramOptions {
+            mode: Mode::Lit,
+            schedule: Schedule::Fused,
+            masks: RaySkipping::Off,
+            ..ProgramOptions::default()
+        };
+        let settings = RenderSettings { options, ..settings.clone() };
         Ok(Self { prepared: Prepared::new(gpu, Cow::Owned(scene), settings, LightGrids::default())? })
     }
 

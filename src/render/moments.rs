@@ -27,7 +27,7 @@ impl Prepared<'_> {
     ) -> Result<(), RenderError> {
         let geometry = Geometry::after(std::mem::take(&mut self.before), &scene);
         let program =
-            Program::after(Some(&self.program), &scene, &geometry.analysis, &self.settings.choice, geometry.extent())?;
+            Program::after(Some(&self.program), &scene, &geometry.analysis, &self.settings.options, geometry.extent())?;
         if !program.runs_as(&self.program) {
             return Err(RenderError::OtherProgram);
         }
@@ -48,7 +48,7 @@ impl Prepared<'_> {
 mod tests {
     use super::*;
     use crate::gpu::Gpu;
-    use crate::program::{Choice, Schedule};
+    use crate::program::{ProgramOptions, Schedule};
     use crate::render::{Band, RenderSettings, Renderer};
 
     fn scene(at: f64) -> Scene {
@@ -61,8 +61,8 @@ mod tests {
     }
 
     fn settings(schedule: Schedule, tile_pixels: u64) -> RenderSettings {
-        let choice = Choice { schedule, ..Choice::default() };
-        RenderSettings { choice, tile_pixels, ..RenderSettings::default() }
+        let options = ProgramOptions { schedule, ..ProgramOptions::default() };
+        RenderSettings { options, tile_pixels, ..RenderSettings::default() }
     }
 
     /// Checks that each sample shows only its own moment: two scenes in either order contribute as much as each scene alone.

@@ -8,7 +8,7 @@ use super::step::Step;
 use super::trace::Tracer;
 use super::{PathPoint, RenderError, RenderSettings, Status, Traced};
 use crate::gpu::Gpu;
-use crate::program::{Analysis, Choice, Pass, Purpose, RaySkipping, Schedule};
+use crate::program::{Analysis, Mode, Pass, ProgramOptions, RaySkipping, Schedule};
 use crate::scene::{Precision, Scene};
 
 /// The number of records of one batch of paths, over all segments.
@@ -45,7 +45,7 @@ pub fn trace_paths(
     settings: &RenderSettings,
     rays: &[[f64; 6]],
 ) -> Result<Vec<Path>, RenderError> {
-    let choice = Choice { schedule: Schedule::Segment, masks: RaySkipping::List, ..Choice::default() };
+    let options = ProgramOptions { schedule: Schedule::Segment, masks: RaySkipping::List, ..ProgramOptions::default() };
     let leaping = Analysis::of(scene).regions.kinds.iter().any(|kind| kind.leaps);
     let mut scene = scene.clone();
     if std::mem::take(&mut scene.rays.leaps) && leaping {
@@ -55,7 +55,7 @@ pub fn trace_paths(
         }
     }
     let Tracer { mut prepared } =
-        Tracer::new(gpu, &scene, RenderSettings { choice, ..settings.clone() }, Purpose::Trace)?;
+        Tracer::new(gpu, &scene, RenderSettings { options, ..settings.clone() }, Mode::Trace)?;
     let batch = (PATH_RECORDS / (scene.rays.max_segments as usize + 1)).clamp(1, BATCH);
     let mut paths = Vec::with_capacity(rays.len());
     let stage = gpu.progress.measured("tracing paths", rays.len() as f64);
@@ -95,10 +95,10 @@ pub fn pixel_starts(
     settings: &RenderSettings,
     pixels: &[[u32; 2]],
 ) -> Result<Vec<[f64; 6]>, RenderError> {
-    let choice = Choice { schedule: Schedule::Segment, masks: RaySkipping::Off, ..Choice::default() };
+    let options = ProgramOptions { schedule: Schedule::Segment, masks: RaySkipping::Off, ..ProgramOptions::default() };
     let mut scene = scene.clone();
     scene.image.samples = 1;
-    let Tracer { prepared } = Tracer::new(gpu, &scene, RenderSettings { choice, ..settings.clone() }, Purpose::Pixels)?;
+    let Tracer { prepared } = Tracer::new(gpu, &scene, RenderSettings { options, ..settings.clone() }, Mode::Pixels)?;
     let (tile, sample) = pixel_tile(&prepared, pixels, ROW)?;
     let steps = &prepared.plan.steps;
     let started = steps.iter().filter(|step| matches!(step.pass, Pass::Setup | Pass::Record)).copied();

@@ -158,7 +158,7 @@ impl Renderer<'_> {
             }
             let noise = totals.noise.as_mut().filter(|_| round.is_last);
             let values = self.read_values(made)?;
-            values.put(left, round, &self.prepared.settings.choice.layers, &mut band, noise);
+            values.put(left, round, &self.prepared.settings.options.layers, &mut band, noise);
             if let Some(clamped) = &mut totals.clamped {
                 values.add_clamped(round, clamped);
             }
@@ -217,7 +217,7 @@ impl Renderer<'_> {
                 continue;
             }
             let mut band = self.band(0, size[1]);
-            let wanted = &self.prepared.settings.choice.layers;
+            let wanted = &self.prepared.settings.options.layers;
             self.read_values(&tile)?.put(0, &Round::new(None, 1, true), wanted, &mut band, None);
             self.prepared.finish_totals(&mut totals, &clock, started)?;
             return Ok(Some(Rendering { band, totals }));

@@ -10,7 +10,7 @@ use super::schedule::{PassCounts, fused_segments, steps};
 use super::{RenderError, RenderSettings, Window};
 use crate::gpu::{Geometry, Gpu, GpuError, Pipelines, PreviousGeometry, SceneBuffers, pack, schedule_values};
 use crate::model::{Control, Value};
-use crate::program::{BindingKind, Choice, Features, Layout, Program, Purpose, Regions, Role, Schedule};
+use crate::program::{BindingKind, Features, Layout, Mode, Program, ProgramOptions, Regions, Role, Schedule};
 use crate::scene::Scene;
 
 /// A scene's program, pipelines and data on a device.
@@ -53,12 +53,12 @@ impl<'a> Prepared<'a> {
         mut settings: RenderSettings,
         grids: LightGrids,
     ) -> Result<Self, RenderError> {
-        settings.choice.device = gpu.profile;
+        settings.options.device = gpu.profile;
         // Rays for other purposes than an image end at the surface that they hit.
-        if settings.choice.purpose != Purpose::Picture && scene.rays.path_tracing.is_some() {
+        if settings.options.mode != Mode::Picture && scene.rays.path_tracing.is_some() {
             scene.to_mut().rays.path_tracing = None;
         }
-        let given = settings.choice.purpose.is_given();
+        let given = settings.options.mode.is_given();
         if !given && scene.camera.is_none() {
             return Err(RenderError::NoCamera);
         }
@@ -67,11 +67,11 @@ impl<'a> Prepared<'a> {
         }
         let geometry = placed(gpu, PreviousGeometry::default(), &scene);
         let stage = gpu.progress.stage("generating the shaders");
-        let program = Program::new(&scene, &geometry.analysis, &settings.choice, geometry.extent())?;
+        let program = Program::new(&scene, &geometry.analysis, &settings.options, geometry.extent())?;
         drop(stage);
-        settings.choice.schedule = program.features.schedule;
+        settings.options.schedule = program.features.schedule;
         let [width, _] = settings.window.unwrap_or(Window::whole(scene.image.size)).size;
-        let is_picture = settings.choice.purpose == Purpose::Picture;
+        let is_picture = settings.options.mode == Mode::Picture;
         let pipelines = Pipelines::new(gpu, &program, if is_picture { width } else { u32::MAX })?;
         settings.segments = fused_segments(settings.segments, &program.features, scene.rays.max_segments);
         let segments = settings.segments_a_pass();
@@ -104,15 +104,15 @@ impl<'a> Prepared<'a> {
 
     /// Replaces the scene by another one with the same program.
     pub(super) fn change_scene(&mut self, mut scene: Scene, grids: LightGrids) -> Result<(), RenderError> {
-        let RenderSettings { window, choice, .. } = &self.settings;
-        if choice.purpose != Purpose::Picture {
+        let RenderSettings { window, options, .. } = &self.settings;
+        if options.mode != Mode::Picture {
             scene.rays.path_tracing = None;
         }
         if let Some(window) = window.filter(|window| !window.fits(scene.image.size)) {
             return Err(RenderError::Window { window, picture: scene.image.size });
         }
         let geometry = placed(self.gpu, std::mem::take(&mut self.before), &scene);
-        let program = Program::after(Some(&self.program), &scene, &geometry.analysis, choice, geometry.extent())?;
+        let program = Program::after(Some(&self.program), &scene, &geometry.analysis, options, geometry.extent())?;
         if !program.runs_as(&self.program) {
             return Err(RenderError::OtherProgram);
         }
@@ -191,8 +191,8 @@ impl<'a> Prepared<'a> {
     /// if there are already as many as possible.
     pub(super) fn make_room(&mut self) -> Result<bool, RenderError> {
         if self.is_whole() {
-            let choice = Choice { schedule: Schedule::Fused, ..self.settings.choice.clone() };
-            let settings = RenderSettings { choice, ..self.settings.clone() };
+            let options = ProgramOptions { schedule: Schedule::Fused, ..self.settings.options.clone() };
+            let settings = RenderSettings { options, ..self.settings.clone() };
             let mut fused = Self::new(self.gpu, self.scene.clone(), settings, self.grids.clone())?;
             fused.take_moments(&self.moments)?;
             *self = fused;
@@ -205,7 +205,7 @@ impl<'a> Prepared<'a> {
 
     /// Returns `true` if whole paths are followed in one pass.
     pub(super) fn is_whole(&self) -> bool {
-        self.settings.choice.schedule == Schedule::Whole
+        self.settings.options.schedule == Schedule::Whole
     }
 }
 

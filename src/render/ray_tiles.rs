@@ -9,7 +9,7 @@ use super::{PathPoint, RenderError, Status, Traced};
 use crate::gpu::{Tile, pack};
 use crate::model::Object;
 use crate::model::Value::Vec3;
-use crate::model::law::Facts;
+use crate::model::law::LawProperties;
 use crate::program::{Regions, Role};
 use crate::scene::Scene;
 
@@ -19,7 +19,7 @@ pub(super) const BATCH: usize = 1 << 18;
 pub(super) const ROW: u32 = 1024;
 
 /// Returns `true` if a ray starts in a region that no light leaves.
-pub(super) fn is_swallowed(law: &Facts, ray: &[f64; 6]) -> bool {
+pub(super) fn is_swallowed(law: &LawProperties, ray: &[f64; 6]) -> bool {
     law.swallows(DVec3::from_slice(&ray[..3]))
 }
 

@@ -9,7 +9,7 @@ use super::prepared::Prepared;
 use super::{LightReport, RenderError, RenderSettings};
 use crate::gpu::{Gpu, GpuError, Stored};
 use crate::model::Control;
-use crate::program::{Program, Purpose};
+use crate::program::{Mode, Program};
 use crate::scene::Scene;
 
 /// A renderer of a scene's images: its program, pipelines and data on a device.
@@ -53,7 +53,7 @@ impl<'a> Renderer<'a> {
     }
 
     fn of(gpu: &'a Gpu, scene: Cow<'a, Scene>, mut settings: RenderSettings) -> Result<Self, RenderError> {
-        settings.choice.purpose = Purpose::Picture;
+        settings.options.mode = Mode::Picture;
         let grids = grids_of(gpu, &scene, &settings)?;
         Ok(Self { prepared: Prepared::new(gpu, scene, settings, grids)? })
     }

@@ -60,7 +60,7 @@ impl Prepared<'_> {
                 runner.submit(clock)?;
                 self.write_sample(tile, sample, 0)?;
             }
-            runner.recorded.push((0, Step::refining(refines, self.settings.choice.masks)));
+            runner.recorded.push((0, Step::refining(refines, self.settings.options.masks)));
         }
         runner.submit(clock)?;
         runner.wait(0)?;

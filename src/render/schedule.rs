@@ -3,7 +3,7 @@
 use super::RenderSettings;
 use super::step::{Dispatch, PixelList, Step};
 use crate::gpu::Slots;
-use crate::program::{DeviceProfile, Features, Pass, Purpose, RaySkipping, Schedule, constant};
+use crate::program::{DeviceProfile, Features, Mode, Pass, RaySkipping, Schedule, constant};
 use crate::scene::{Scene, Segment};
 
 /// The numbers of recorded passes, if a device's loop budget may end a pass before its work is done. Passes without work cost next to
@@ -66,19 +66,19 @@ pub fn steps(scene: &Scene, features: &Features, passes: PassCounts, max_segment
         return recorded.steps;
     }
     recorded.push(Pass::Setup, Slots::only(0), 0, 1);
-    match features.purpose {
-        Purpose::Bare => {
+    match features.mode {
+        Mode::Bare => {
             recorded.push(Pass::Bare, Slots::segment(0, 1), 0, 1);
             return recorded.steps;
         }
-        Purpose::Lit => {
+        Mode::Lit => {
             // Newton steps, the beginning and end of a search, and a test of the path found.
             for _ in 0..constant("surface/shot/newton", "NEWTON_STEPS") as u32 + 3 {
                 recorded.push(Pass::Shots, Slots::only(0), 0, 1);
             }
             return recorded.steps;
         }
-        Purpose::Picture | Purpose::Trace | Purpose::Pixels | Purpose::Light | Purpose::Caustics => {}
+        Mode::Picture | Mode::Trace | Mode::Pixels | Mode::Light | Mode::Caustics => {}
     }
     match features.schedule {
         Schedule::Fused | Schedule::Whole => recorded.fused(passes, segments, n),
@@ -166,7 +166,7 @@ impl Recorder<'_> {
 #[cfg(test)]
 pub(super) mod tests {
     use super::*;
-    use crate::program::{Analysis, Choice};
+    use crate::program::{Analysis, ProgramOptions};
 
     fn scene(segment: &str, image: &str) -> Scene {
         let text = format!(
@@ -180,9 +180,9 @@ pub(super) mod tests {
 
     pub(in crate::render) fn recorded(schedule: Schedule, segment: &str, image: &str) -> Vec<Step> {
         let scene = scene(segment, image);
-        let choice = Choice { schedule, masks: RaySkipping::List, ..Choice::default() };
+        let options = ProgramOptions { schedule, masks: RaySkipping::List, ..ProgramOptions::default() };
         let passes = PassCounts::usual();
-        steps(&scene, &Features::of(&scene, &choice, &Analysis::of(&scene)), passes, scene.rays.max_segments, 4)
+        steps(&scene, &Features::of(&scene, &options, &Analysis::of(&scene)), passes, scene.rays.max_segments, 4)
     }
 
     #[test]

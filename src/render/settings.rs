@@ -1,13 +1,13 @@
 //! Configures how an image is rendered, whatever the scene.
 
 use super::Window;
-use crate::program::{Choice, Schedule};
+use crate::program::{ProgramOptions, Schedule};
 
 /// The settings of a render.
 #[derive(Debug, Clone)]
 pub struct RenderSettings {
     /// The schedule, masks, purpose and layers.
-    pub choice: Choice,
+    pub options: ProgramOptions,
     /// K, the maximum number of segments of one fused pass; it grows if a sample has many rounds.
     pub segments: u32,
     /// The bytes on the device that an image may use, including its scene.
@@ -24,14 +24,14 @@ pub struct RenderSettings {
 impl RenderSettings {
     /// Returns the maximum number of segments of one pass.
     pub(super) fn segments_a_pass(&self) -> u32 {
-        if self.choice.schedule == Schedule::Whole { u32::MAX } else { self.segments }
+        if self.options.schedule == Schedule::Whole { u32::MAX } else { self.segments }
     }
 }
 
 impl Default for RenderSettings {
     fn default() -> Self {
         Self {
-            choice: Choice::default(),
+            options: ProgramOptions::default(),
             segments: 64,
             memory: 1 << 30,
             // Enough to fill any device, while the host can still hold the bands.

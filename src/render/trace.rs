@@ -9,7 +9,7 @@ use super::tile::TileEnd;
 use super::{RenderError, RenderSettings, Status, Totals, Traced};
 use crate::gpu::{Gpu, GpuError};
 use crate::model::Control;
-use crate::program::Purpose;
+use crate::program::Mode;
 use crate::scene::Scene;
 
 /// The rays to follow.
@@ -24,10 +24,10 @@ pub enum Starts<'s> {
 impl Starts<'_> {
     /// Returns the purpose of a program that follows these rays.
     #[must_use]
-    pub fn purpose(&self) -> Purpose {
+    pub fn mode(&self) -> Mode {
         match self {
-            Self::Given(_) => Purpose::Trace,
-            Self::Pixels(..) => Purpose::Pixels,
+            Self::Given(_) => Mode::Trace,
+            Self::Pixels(..) => Mode::Pixels,
         }
     }
 
@@ -68,7 +68,7 @@ pub fn trace(
     settings: &RenderSettings,
     rays: &[[f64; 6]],
 ) -> Result<(Vec<Traced>, Totals), RenderError> {
-    Tracer::new(gpu, scene, settings.clone(), Purpose::Trace)?.follow(Starts::Given(rays))
+    Tracer::new(gpu, scene, settings.clone(), Mode::Trace)?.follow(Starts::Given(rays))
 }
 
 /// Follows the camera's rays of some pixels to their ends, and returns the ends in the same order with the totals.
@@ -97,7 +97,7 @@ pub fn trace_pixels(
     settings: &RenderSettings,
     pixels: &[[u32; 2]],
 ) -> Result<(Vec<Traced>, Totals), RenderError> {
-    Tracer::new(gpu, scene, settings.clone(), Purpose::Pixels)?.follow(Starts::Pixels(pixels, ROW))
+    Tracer::new(gpu, scene, settings.clone(), Mode::Pixels)?.follow(Starts::Pixels(pixels, ROW))
 }
 
 /// A tracer that follows single rays of a scene and returns their ends.
@@ -107,8 +107,8 @@ pub struct Tracer<'a> {
 }
 
 impl<'a> Tracer<'a> {
-    /// Creates a tracer for this purpose: [`Purpose::Trace`] for given rays, [`Purpose::Pixels`] for the camera's rays, or
-    /// [`Purpose::Bare`].
+    /// Creates a tracer for this purpose: [`Mode::Trace`] for given rays, [`Mode::Pixels`] for the camera's rays, or
+    /// [`Mode::Bare`].
     ///
     /// # Errors
     ///
@@ -128,14 +128,9 @@ impl<'a> Tracer<'a> {
     /// }
     /// # Ok::<(), bentray::render::RenderError>(())
     /// ```
-    pub fn new(
-        gpu: &'a Gpu,
-        scene: &'a Scene,
-        mut settings: RenderSettings,
-        purpose: Purpose,
-    ) -> Result<Self, RenderError> {
-        settings.choice.purpose = purpose;
-        settings.choice.layers.clear();
+    pub fn new(gpu: &'a Gpu, scene: &'a Scene, mut settings: RenderSettings, mode: Mode) -> Result<Self, RenderError> {
+        settings.options.mode = mode;
+        settings.options.layers.clear();
         Ok(Self { prepared: Prepared::new(gpu, Cow::Borrowed(scene), settings, LightGrids::default())? })
     }
 
@@ -150,7 +145,7 @@ impl<'a> Tracer<'a> {
     }
 
     /// Follows rays to their ends, and returns the ends in the same order with the totals. `starts` must match the purpose of the tracer:
-    /// [`Starts::purpose`].
+    /// [`Starts::mode`].
     ///
     /// # Errors
     ///

@@ -9,7 +9,8 @@ use glam::DVec3;
 
 use super::throat::add_throat;
 use super::{
-    Accelerate, Bound, Branches, Image, Output, Precision, Rays, SamplePattern, Scene, Segment, Sky, Tonemap, Transform,
+    Accelerate, Bound, Image, Output, Precision, Rays, SamplePattern, Scene, Segment, Sky, Splitting, Tonemap,
+    Transform,
 };
 use crate::model::control::embedded;
 use crate::model::medium::D_LINE;
@@ -47,7 +48,7 @@ impl Scene {
             image: Image::default(),
             camera: None,
             law: Arc::new(law),
-            filter: None,
+            absorption: None,
             rays: Rays::new(radius),
             sky: Sky::Color(DVec3::ZERO),
             sky_other_side: None,
@@ -103,7 +104,7 @@ impl Scene {
     /// ```
     pub fn add_interior(&mut self, shape: impl Shape, transform: Transform, medium: impl Medium, priority: u32) {
         assert_eq!(shape.refuses_interior(), None, "light cannot go through this shape");
-        let substance = Substance::Clear(Interior { priority, ..Interior::new(Arc::new(medium)) });
+        let substance = Substance::TransparentShadows(Interior { priority, ..Interior::new(Arc::new(medium)) });
         self.objects.extend(Object::new(Arc::new(shape), transform, substance).solids());
     }
 }
@@ -138,7 +139,7 @@ impl Rays {
             precision: Precision::Single,
             closed_forms: true,
             leaps: true,
-            max_splits: Branches::Enumerated(4),
+            max_splits: Splitting::Enumerated(4),
             acceleration: Accelerate::Auto,
             path_tracing: None,
             wavelength: D_LINE,

@@ -1,13 +1,13 @@
 //! Path guiding to light that next-event estimation cannot reach, because mirrors, transparent objects or the law deflect it.
 
-use super::{Lamp, LightGrid, Scene};
+use super::{Emitter, LightGrid, Scene};
 use crate::model::Substance;
 
 /// A beam: light from an emitter that is traced before the image, so that paths learn the directions from which it arrives.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Beam {
     /// The emitter.
-    pub lamp: Lamp,
+    pub emitter: Emitter,
     /// The index of the mirror or transparent object that the beam passes; `None` for all light of the emitter where space bends light.
     pub through: Option<usize>,
 }
@@ -28,21 +28,28 @@ impl Scene {
         if !self.rays.path_tracing.is_some_and(|paths| paths.guiding) || self.law.facts().refuses_sent_light.is_some() {
             return Vec::new();
         }
-        let lamps = self.lamps();
-        let outside = |lamp: &Lamp, x: glam::DVec3| lamp.center.distance(x) > lamp.radius;
+        let emitters = self.emitters();
+        let outside = |emitter: &Emitter, x: glam::DVec3| emitter.center.distance(x) > emitter.radius;
         let mut all: Vec<(f64, Beam)> = if self.law.facts().is_straight {
             let sends = |object: &super::Object| object.interior().is_some() || self.continues_from(object);
             let objects = || self.objects.iter().enumerate().filter(|(_, object)| sends(object));
-            let beam = |lamp: &Lamp, (i, object): (usize, &super::Object)| {
+            let beam = |emitter: &Emitter, (i, object): (usize, &super::Object)| {
                 let (center, radius) = object.ball();
-                let part = (radius / lamp.center.distance(center)).min(1.0);
-                (lamp.power * part * part, Beam { lamp: *lamp, through: Some(i) })
+                let part = (radius / emitter.center.distance(center)).min(1.0);
+                (emitter.power * part * part, Beam { emitter: *emitter, through: Some(i) })
             };
-            let reached = |lamp: &Lamp, object: &super::Object| outside(lamp, object.ball().0);
-            lamps.iter().flat_map(|lamp| objects().filter(|(_, o)| reached(lamp, o)).map(|o| beam(lamp, o))).collect()
+            let reached = |emitter: &Emitter, object: &super::Object| outside(emitter, object.ball().0);
+            emitters
+                .iter()
+                .flat_map(|emitter| objects().filter(|(_, o)| reached(emitter, o)).map(|o| beam(emitter, o)))
+                .collect()
         } else {
-            let lit = |lamp: &&Lamp| self.camera.as_ref().is_none_or(|camera| outside(lamp, camera.position));
-            lamps.iter().filter(lit).map(|lamp| (lamp.power, Beam { lamp: *lamp, through: None })).collect()
+            let lit = |emitter: &&Emitter| self.camera.as_ref().is_none_or(|camera| outside(emitter, camera.position));
+            emitters
+                .iter()
+                .filter(lit)
+                .map(|emitter| (emitter.power, Beam { emitter: *emitter, through: None }))
+                .collect()
         };
         // Sorted by brightness; beams of equal brightness stay in the order of the file.
         all.sort_by(|a, b| b.0.total_cmp(&a.0));
@@ -68,24 +75,24 @@ impl Scene {
         let mut scene = self.clone();
         scene.rays.path_tracing = None;
         scene.rays.max_segments = scene.rays.max_segments.min(SEGMENTS);
-        scene.filter = None;
+        scene.absorption = None;
         for object in &mut scene.objects {
-            if let Substance::Clear(interior) = &mut object.substance {
-                interior.filter = None;
+            if let Substance::TransparentShadows(interior) = &mut object.substance {
+                interior.absorption = None;
             }
         }
-        let lamps: Vec<_> = self.lamps().iter().map(|lamp| lamp.object).collect();
+        let emitters: Vec<_> = self.emitters().iter().map(|emitter| emitter.object).collect();
         let mut places = 0..;
-        scene.objects.retain(|_| places.next().is_some_and(|i| !lamps.contains(&i)));
+        scene.objects.retain(|_| places.next().is_some_and(|i| !emitters.contains(&i)));
         scene
     }
 
     /// Returns the modules of `shaders/path/light_sampling` for the targets of path guiding.
     #[must_use]
     pub fn aims(&self) -> Vec<&'static str> {
-        let lamps = (!self.lamps().is_empty()).then_some("emitters");
+        let emitters = (!self.emitters().is_empty()).then_some("emitters");
         let guide = (!self.beams().is_empty()).then_some("guiding");
         let sky = self.aims_at_sky().then_some("sky");
-        lamps.into_iter().chain(guide).chain(sky).collect()
+        emitters.into_iter().chain(guide).chain(sky).collect()
     }
 }

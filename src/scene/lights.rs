@@ -16,7 +16,7 @@ pub struct Light {
     /// The method that computes shadows.
     pub shadows: Shadows,
     /// The effect of transparent objects, for straight shadows.
-    pub transparent: Clear,
+    pub transparent: TransparentShadows,
     /// Is `true` if the light falls off with the square of the distance or, with the shooting method, with the divergence of its ray
     /// bundle.
     pub falls: bool,
@@ -87,7 +87,7 @@ pub enum Shadows {
 
 /// The effect of transparent objects on light along a straight line.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Clear {
+pub enum TransparentShadows {
     /// Light passes unchanged.
     Open,
     /// Light continues straight, tinted by the transmittance of surfaces and media.
@@ -96,7 +96,7 @@ pub enum Clear {
     Closed,
 }
 
-impl Clear {
+impl TransparentShadows {
     /// The names in a scene file.
     pub(super) const WORDS: [(&str, Self); 3] =
         [("ignored", Self::Open), ("tinted", Self::Filtered), ("opaque", Self::Closed)];
@@ -116,7 +116,15 @@ impl Light {
     #[must_use]
     pub fn new(source: LightSource) -> Self {
         let (shadows, grid) = (Shadows::None, LightGrid::default());
-        Self { source, color: DVec3::ONE, shadows, transparent: Clear::Open, falls: false, min_distance: 0.0, grid }
+        Self {
+            source,
+            color: DVec3::ONE,
+            shadows,
+            transparent: TransparentShadows::Open,
+            falls: false,
+            min_distance: 0.0,
+            grid,
+        }
     }
 
     /// Returns `true` if its brightness in a grid follows from the density of its paths. For a directional light this includes the focusing
@@ -147,7 +155,7 @@ impl Scene {
     }
 
     /// Returns the effect of transparent objects on straight light, for each light and for ambient light.
-    pub fn lines(&self) -> impl Iterator<Item = Clear> {
+    pub fn lines(&self) -> impl Iterator<Item = TransparentShadows> {
         let straight = |light: &&Light| self.is_lit() && light.shadows == Shadows::Straight;
         let ambient = self.occlusion.filter(|occlusion| self.is_occluded() && !occlusion.along_law);
         let ambient = ambient.map(|occlusion| occlusion.clear);
@@ -157,12 +165,12 @@ impl Scene {
     /// Returns `true` if transparent objects block straight light.
     #[must_use]
     pub fn shuts_out(&self) -> bool {
-        self.splits() && self.lines().any(|clear| clear == Clear::Closed)
+        self.splits() && self.lines().any(|clear| clear == TransparentShadows::Closed)
     }
 
     /// Returns `true` if something attenuates straight light.
     #[must_use]
     pub fn weakens_lines(&self) -> bool {
-        (self.splits() || self.filter.is_some()) && self.lines().any(|clear| clear == Clear::Filtered)
+        (self.splits() || self.absorption.is_some()) && self.lines().any(|clear| clear == TransparentShadows::Filtered)
     }
 }

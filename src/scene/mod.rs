@@ -9,10 +9,10 @@
 
 mod build;
 mod check;
+mod emitters;
 mod followed;
 mod guide;
 pub mod import;
-mod lamps;
 mod lights;
 mod optics;
 mod output;
@@ -37,15 +37,15 @@ pub use crate::document::{Diagnostic, KeyReference, Override, SceneError};
 pub use crate::model::absorption::{Density, NoiseColoring, Texture};
 pub use crate::model::cross_section::{CORNERS, CutPlane, Outline};
 pub use crate::model::{
-    Camera, Control, Filter, Gloss, Interior, Law, Material, Medium, Method, Object, Observer, Pattern, RigidMotion,
-    Shape, Stereo, StereoLayout, Substance, Surface,
+    Absorption, Camera, Control, Gloss, Interior, Law, Material, Medium, Method, Object, Observer, Pattern,
+    RigidMotion, Shape, Stereo, StereoLayout, Substance, Surface,
 };
+pub use emitters::Emitter;
 pub use followed::{follow_as, followed_keys};
 pub use guide::Beam;
-pub use lamps::Lamp;
-pub use lights::{Clear, Light, LightGrid, LightSource, Shadows};
+pub use lights::{Light, LightGrid, LightSource, Shadows, TransparentShadows};
 pub use output::{Output, Tonemap};
-pub use rays::{Accelerate, Accuracy, Auto, Bound, Branches, Paths, Precision, Rays, Segment};
+pub use rays::{Accelerate, Accuracy, Auto, Bound, PathTracing, Precision, Rays, Segment, Splitting};
 pub use reference::{REFERENCE, TEMPLATES, Template, reference_markdown};
 pub use sky::Sky;
 pub use sky_cells::SkyCells;
@@ -68,7 +68,7 @@ pub struct Scene {
     /// The law of light.
     pub law: Arc<dyn Law>,
     /// The absorption and emission of space outside interiors.
-    pub filter: Option<Filter>,
+    pub absorption: Option<Absorption>,
     /// The integration of rays.
     pub rays: Rays,
     /// The background of escaped rays.
@@ -185,14 +185,14 @@ impl Scene {
     }
 
     /// Returns the absorption of interiors and of space.
-    pub fn filters(&self) -> impl Iterator<Item = &Filter> {
-        self.objects.iter().filter_map(|object| object.interior()?.filter.as_deref()).chain(&self.filter)
+    pub fn absorptions(&self) -> impl Iterator<Item = &Absorption> {
+        self.objects.iter().filter_map(|object| object.interior()?.absorption.as_deref()).chain(&self.absorption)
     }
 
     /// Returns `true` if arcs between the ends of a path are needed, for hits, for absorption, or for diagrams.
     #[must_use]
     pub fn needs_arcs(&self) -> bool {
-        !self.objects.is_empty() || self.filter.is_some() || !self.rays.leaps
+        !self.objects.is_empty() || self.absorption.is_some() || !self.rays.leaps
     }
 
     /// Returns the capture regions, which end rays that move inwards. They extend as far as `clearance`, the distance from a position to
@@ -247,7 +247,7 @@ impl Scene {
     #[must_use]
     pub fn is_lit_as(&self, other: &Self) -> bool {
         *self.law == *other.law
-            && self.filter == other.filter
+            && self.absorption == other.absorption
             && self.rays == other.rays
             && self.materials == other.materials
             && self.objects == other.objects
@@ -277,5 +277,5 @@ pub struct Occlusion {
     /// The fraction of ambient light at a fully occluded point.
     pub floor: f64,
     /// The effect of transparent objects.
-    pub clear: Clear,
+    pub clear: TransparentShadows,
 }

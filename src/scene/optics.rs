@@ -4,7 +4,7 @@ use crate::document::reader::TableReader;
 use crate::model::method::Demands;
 use crate::model::{Camera, Law, Material, Medium, Object, Order};
 
-use super::{Bound, Paths, Precision, Scene, Segment};
+use super::{Bound, PathTracing, Precision, Scene, Segment};
 
 impl Scene {
     /// Returns `true` if light conserves its angular momentum around the law's axis along its whole path from the camera: no surface or
@@ -32,7 +32,7 @@ pub(super) struct Optics<'a> {
     /// The materials of the objects.
     pub materials: &'a [Material],
     /// The settings of path tracing, if the scene uses it.
-    pub paths: Option<Paths>,
+    pub paths: Option<PathTracing>,
 }
 
 impl Optics<'_> {

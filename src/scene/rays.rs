@@ -30,18 +30,18 @@ pub struct Rays {
     /// Is `true` if one step crosses a region that contains nothing else. Paths of diagrams are cut into arcs.
     pub leaps: bool,
     /// The treatment of rays that a surface splits.
-    pub max_splits: Branches,
+    pub max_splits: Splitting,
     /// The acceleration structure for the search of objects.
     pub acceleration: Accelerate,
     /// The settings of path tracing; `None` for direct illumination by the scene's lights.
-    pub path_tracing: Option<Paths>,
+    pub path_tracing: Option<PathTracing>,
     /// The wavelength of light in nanometers, if it is not sampled; only dispersion depends on it.
     pub wavelength: f64,
 }
 
 /// The table `[path_tracing]`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Paths {
+pub struct PathTracing {
     /// The largest number of scattering surfaces along a path; unlimited if `None`.
     pub max_depth: Option<u32>,
     /// The number of surfaces after which Russian roulette may end a path.
@@ -54,7 +54,7 @@ pub struct Paths {
     pub seed: u32,
 }
 
-impl Default for Paths {
+impl Default for PathTracing {
     fn default() -> Self {
         Self { max_depth: None, rr_depth: 4, light_sampling: true, guiding: true, seed: 0 }
     }
@@ -75,7 +75,7 @@ pub enum Accelerate {
 
 /// The rays that continue from a surface that both reflects and transmits.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Branches {
+pub enum Splitting {
     /// Both rays, exactly, up to this number of splits along a path; further splits are cut.
     Enumerated(u32),
     /// One random ray per sample.

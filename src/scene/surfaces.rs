@@ -1,6 +1,6 @@
 //! Properties of a scene's surfaces: which of them reflect, transmit, scatter or show light.
 
-use super::{Branches, FanRay, Gloss, Material, Object, Scene};
+use super::{FanRay, Gloss, Material, Object, Scene, Splitting};
 
 impl Scene {
     /// Returns the material of an object, if it is opaque.
@@ -30,7 +30,7 @@ impl Scene {
     /// Returns `true` if crossings of a translucent surface can be attributed to orders: rays must not branch elsewhere or at random.
     #[must_use]
     pub fn has_orders(&self) -> bool {
-        let counts = matches!(self.rays.max_splits, Branches::Enumerated(_)) && self.image.adaptive.is_none();
+        let counts = matches!(self.rays.max_splits, Splitting::Enumerated(_)) && self.image.adaptive.is_none();
         self.has_translucent() && counts && !self.splits() && self.fans().is_empty()
     }
 

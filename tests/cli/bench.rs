@@ -61,7 +61,7 @@ fn aims_and_guide_are_worth_their_time() {
     let ran = folder.run("bench paths --size 4x4 --repeats 1 --json").succeeds();
     let json: serde_json::Value = serde_json::from_str(&ran.out).unwrap();
     let tables = &json["tables"];
-    let rows = tables["lamps"].as_array().unwrap();
+    let rows = tables["emitters"].as_array().unwrap();
     assert_eq!((rows.len(), tables["truths"].as_array().unwrap().len()), (12, 4));
     let error = |row: usize| rows[row]["error"].as_f64().unwrap();
     for lamp in 0..4 {

@@ -155,7 +155,7 @@ fn the_shadow_edge_lies_at_the_critical_impact_parameter() {
     };
     let rays = [ray(50.0, 5.19), ray(50.0, 5.21), ray(1000.0, 5.19), ray(1000.0, 5.21)];
     folder.write("rays.csv", table(&rays));
-    for form in ["path", "geodesic"] {
+    for form in ["orbit-equation", "geodesic"] {
         let rows = trace(&folder, &format!("--set law.form={form}"));
         let statuses = rows.column("status");
         assert_eq!(statuses, ["captured", "escaped", "captured", "escaped"], "{form}");

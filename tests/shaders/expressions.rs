@@ -1,6 +1,6 @@
 //! Tests formulas as WGSL: the functions that they call, the generated code, and positions without a value.
 
-use bentray::program::{Analysis, Choice, Features, plan};
+use bentray::program::{Analysis, Features, ProgramOptions, plan};
 use glam::{DVec3, Vec4};
 
 use super::numbers::SINE_BOUND;
@@ -16,7 +16,7 @@ fn generated(name: &str, formula: &str) -> String {
     );
     let scene = scene(&text);
     let analysis = Analysis::of(&scene);
-    let parts = plan(&scene, &analysis, &Features::of(&scene, &Choice::default(), &analysis)).unwrap();
+    let parts = plan(&scene, &analysis, &Features::of(&scene, &ProgramOptions::default(), &analysis)).unwrap();
     let unit = parts
         .shared
         .into_iter()

@@ -209,7 +209,7 @@ fn analytic_shapes() {
             "ellipsoid" => "ellipsoid_interval(ellipsoid_list[1], p0.xyz, p1.xyz - p0.xyz)".to_owned(),
             _ => {
                 let space = format!("{kind}_list[1]");
-                format!("{kind}_interval(own_point({space}, p0.xyz), own_vector({space}, p1.xyz - p0.xyz))")
+                format!("{kind}_interval(local_point({space}, p0.xyz), local_vector({space}, p1.xyz - p0.xyz))")
             }
         };
         let body = format!(

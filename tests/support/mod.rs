@@ -10,7 +10,7 @@ use std::path::Path;
 use std::sync::{LazyLock, Mutex, MutexGuard, PoisonError};
 
 use bentray::gpu::{Geometry, Gpu};
-use bentray::program::{Choice, Program};
+use bentray::program::{Program, ProgramOptions};
 use bentray::render::Rendering;
 use bentray::scene::Scene;
 
@@ -92,7 +92,7 @@ pub fn pictured() -> &'static [(String, Program)] {
         let program = |path: std::path::PathBuf| {
             let scene = Scene::load(&path, &[]).unwrap_or_else(|error| panic!("{error}"));
             let geometry = Geometry::new(&scene);
-            let program = Program::new(&scene, &geometry.analysis, &Choice::default(), geometry.extent());
+            let program = Program::new(&scene, &geometry.analysis, &ProgramOptions::default(), geometry.extent());
             let name = path.strip_prefix(env!("CARGO_MANIFEST_DIR")).unwrap().to_str().unwrap().to_owned();
             (name, program.unwrap_or_else(|error| panic!("{error}")))
         };

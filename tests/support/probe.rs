@@ -11,8 +11,8 @@ use bentray::gpu::{Gpu, Pipeline, pack};
 use bentray::model::shape::SOLIDS;
 use bentray::model::{Row, Value};
 use bentray::program::{
-    Analysis, BindingKind, Choice, Features, Layout, LinkedProgram, Parts, Reflection, Unit, link, part, plan, reflect,
-    solid_codes,
+    Analysis, BindingKind, Features, Layout, LinkedProgram, Parts, ProgramOptions, Reflection, Unit, link, part, plan,
+    reflect, solid_codes,
 };
 use glam::{DVec3, Vec4};
 use wgpu::util::{BufferInitDescriptor, DeviceExt};
@@ -82,7 +82,7 @@ impl Probe {
         let common = [
             ("law/", "fn law_derivative(", "law/accelerated"),
             ("method/control/", "fn accepted_step(", "method/control/planned"),
-            ("law/", "fn law_held(", "law/held_nothing"),
+            ("law/", "fn law_ray_constant(", "law/no_constant"),
             ("law/", "fn law_projected(", "law/projected_as_is"),
             ("law/", "fn law_start(", "law/start_as_given"),
             ("motion/", "fn law_start(", "law/start_as_given"),
@@ -123,7 +123,7 @@ impl Probe {
     pub fn generated(mut self, scene: &str, file: &str) -> Self {
         let scene = super::scene(scene);
         let analysis = Analysis::of(&scene);
-        let features = Features::of(&scene, &Choice::default(), &analysis);
+        let features = Features::of(&scene, &ProgramOptions::default(), &analysis);
         let parts = plan(&scene, &analysis, &features).unwrap_or_else(|error| panic!("{error}"));
         let made = parts.shared.into_iter().chain(parts.regions.into_iter().flatten()).find(|unit| unit.file == file);
         self.units.push(made.unwrap_or_else(|| panic!("the scene has no {file}")));
@@ -229,7 +229,7 @@ const GENERATED: [&str; 3] = ["IS_WHOLE", "HAS_LISTS", "FINDS_NEAR"];
 /// The constants that parts ask for: true for these.
 fn features(present: &[&str], generated: &[&str]) -> Unit {
     let scene = super::scene("[rays]\nbounding_sphere = { radius = 1 }\n");
-    let mut names = Features::of(&scene, &Choice::default(), &Analysis::of(&scene)).constants();
+    let mut names = Features::of(&scene, &ProgramOptions::default(), &Analysis::of(&scene)).constants();
     names.extend(generated.iter().map(|name| ((*name).to_owned(), false)));
     for feature in present {
         assert!(names.iter().any(|(name, _)| name == feature), "no feature {feature}");

@@ -5,7 +5,7 @@ use super::{difference, with_objects};
 use crate::exactness::unused;
 use crate::support::{gpu, scene};
 use bentray::gpu::Geometry;
-use bentray::program::{Choice, Layer, Program, Purpose, RaySkipping, Schedule};
+use bentray::program::{Layer, Mode, Program, ProgramOptions, RaySkipping, Schedule};
 use bentray::render::{RenderSettings, Renderer};
 use glam::DVec3;
 
@@ -77,8 +77,8 @@ fn cylinders_and_disks_are_rendered_as_they_are_traced() {
     }
 }
 
-fn rendered(text: &str, choice: Choice) -> bentray::render::Rendering {
-    Renderer::new(&gpu(), &scene(text), RenderSettings { choice, ..RenderSettings::default() })
+fn rendered(text: &str, options: ProgramOptions) -> bentray::render::Rendering {
+    Renderer::new(&gpu(), &scene(text), RenderSettings { options, ..RenderSettings::default() })
         .unwrap()
         .render()
         .unwrap()
@@ -94,7 +94,7 @@ fn halves_are_a_whole() {
     for precision in ["f32", "f64"] {
         let color = |objects: &[&str]| {
             let text = with_objects(&ROOM.replace("BRANCHES", &format!("3\nprecision = \"{precision}\"")), objects);
-            let color = rendered(&text, Choice::default()).band.color;
+            let color = rendered(&text, ProgramOptions::default()).band.color;
             let at = |i: usize| DVec3::from([0, 1, 2].map(|channel: usize| f64::from(color[channel][i])));
             (0..color[0].len()).map(at).collect::<Vec<_>>()
         };
@@ -115,15 +115,20 @@ fn touching_objects_do_not_depend_on_the_schedule() {
             let text = text(branches, &objects)
                 .replace("[128, 96]", "[40, 30]")
                 .replace("[rays]", &format!("[rays]\nmax_segments = {segments}"));
-            let choice = |schedule, masks| Choice { schedule, masks, layers: Layer::ALL.to_vec(), ..Choice::default() };
-            let first = rendered(&text, choice(Schedule::Fused, RaySkipping::List));
+            let options = |schedule, masks| ProgramOptions {
+                schedule,
+                masks,
+                layers: Layer::ALL.to_vec(),
+                ..ProgramOptions::default()
+            };
+            let first = rendered(&text, options(Schedule::Fused, RaySkipping::List));
             for (schedule, masks) in [
                 (Schedule::Whole, RaySkipping::List),
                 (Schedule::Fused, RaySkipping::Off),
                 (Schedule::Segment, RaySkipping::List),
                 (Schedule::Paper, RaySkipping::Grid),
             ] {
-                let other = rendered(&text, choice(schedule, masks));
+                let other = rendered(&text, options(schedule, masks));
                 assert!(first.band == other.band, "{name}: {schedule:?}, masks {masks:?}, {segments} segments");
                 assert_eq!(first.totals.by_status, other.totals.by_status, "{name}");
             }
@@ -139,9 +144,9 @@ fn what_does_not_touch_pays_nothing() {
         let scene = scene(text);
         let geometry = Geometry::new(&scene);
         let mut found = Vec::new();
-        for (schedule, purpose) in [(Schedule::Fused, Purpose::Picture), (Schedule::Segment, Purpose::Trace)] {
-            let choice = Choice { schedule, purpose, ..Choice::default() };
-            let program = Program::new(&scene, &geometry.analysis, &choice, geometry.extent()).unwrap();
+        for (schedule, mode) in [(Schedule::Fused, Mode::Picture), (Schedule::Segment, Mode::Trace)] {
+            let options = ProgramOptions { schedule, mode, ..ProgramOptions::default() };
+            let program = Program::new(&scene, &geometry.analysis, &options, geometry.extent()).unwrap();
             for (pass, linked, _) in &program.passes {
                 let unused = unused(linked).unwrap_or_else(|error| panic!("{error}"));
                 assert!(unused.is_empty(), "pass {} has {unused:?}", pass.entry());

@@ -5,8 +5,8 @@
 const STEP_ORDER: f32 = 2.0;
 
 fn step_ray(p: Phase, h: Real) -> Phase {
-    let held = law_held(p);
+    let constant = law_ray_constant(p);
     let middle = p[0] + (0.5 * h) * p[1];
-    let v = p[1] + h * law_acceleration(middle, held);
+    let v = p[1] + h * law_acceleration(middle, constant);
     return Phase(middle + (0.5 * h) * v, v);
 }

@@ -4,10 +4,10 @@
 const STEP_ORDER: f32 = 4.0;
 
 fn step_ray(p: Phase, h: Real) -> Phase {
-    let held = law_held(p);
-    let a1 = law_acceleration(p[0], held);
-    let a2 = law_acceleration(p[0] + (0.5 * h) * (p[1] + (0.25 * h) * a1), held);
-    let a3 = law_acceleration(p[0] + h * (p[1] + (0.5 * h) * a2), held);
+    let constant = law_ray_constant(p);
+    let a1 = law_acceleration(p[0], constant);
+    let a2 = law_acceleration(p[0] + (0.5 * h) * (p[1] + (0.25 * h) * a1), constant);
+    let a3 = law_acceleration(p[0] + h * (p[1] + (0.5 * h) * a2), constant);
     let sixth = h * (1.0 / 6.0);
     let x = p[0] + h * (p[1] + sixth * (a1 + 2.0 * a2));
     return Phase(x, p[1] + sixth * (a1 + 4.0 * a2 + a3));

@@ -13,7 +13,7 @@ struct Waiting {
     tau: Real,
     v: Real3,
     share: f32,
-    weight: vec3f,
+    throughput: vec3f,
     scatterings: u32,
     // The set of regions.
     bits: u32,
@@ -58,28 +58,28 @@ fn after_flight(leg: Leg, code: u32) -> Leg {
     carried.scatterings = waiting.scatterings;
     carried.dispersed = waiting.dispersed;
     enter_set(waiting.bits);
-    return own_leg(waiting.x, waiting.v, waiting.tau, waiting.weight, code);
+    return own_leg(waiting.x, waiting.v, waiting.tau, waiting.throughput, code);
 }
 
-fn left_vertex(vertex: PathVertex, onward: vec3f, density: f32, weight: vec3f, pixel: vec2u) -> Leg {
+fn left_vertex(vertex: PathVertex, onward: vec3f, density: f32, throughput: vec3f, pixel: vec2u) -> Leg {
     if !AIMS {
         carried.scatterings += 1u;
-        return own_leg(vertex.x, vertex.speed * Real3(onward), vertex.tau, weight, HIT);
+        return own_leg(vertex.x, vertex.speed * Real3(onward), vertex.tau, throughput, HIT);
     }
     let aims = aims_at(vertex);
     let aim = aimed_way(vertex, aims, path_point(pixel, AIM));
     let aimed = aim_density(vertex, aims, aim);
-    let aimed_weight = carried.weight * answered(vertex, aim) / max(answer_density(vertex, aim) + aimed, 1e-30);
-    let finds = answers_widely(vertex) && aimed > 0.0 && any(aimed_weight > vec3f(0.0)) && dot(aim, vertex.across) > 0.0;
+    let aimed_throughput = carried.throughput * bsdf_cosine(vertex, aim) / max(bsdf_density(vertex, aim) + aimed, 1e-30);
+    let finds = bsdf_is_wide(vertex) && aimed > 0.0 && any(aimed_throughput > vec3f(0.0)) && dot(aim, vertex.normal) > 0.0;
     let share = density / max(density + aim_density(vertex, aims, onward), 1e-30);
     let own = vertex.speed * Real3(onward);
     carried.scatterings += 1u;
-    carried.share = select(1.0, share, answers_widely(vertex));
+    carried.share = select(1.0, share, bsdf_is_wide(vertex));
     if !finds {
-        return own_leg(vertex.x, own, vertex.tau, weight, HIT);
+        return own_leg(vertex.x, own, vertex.tau, throughput, HIT);
     }
-    waiting = Waiting(vertex.x, vertex.tau, own, share, weight, carried.scatterings, region_bits(), carried.dispersed);
+    waiting = Waiting(vertex.x, vertex.tau, own, share, throughput, carried.scatterings, region_bits(), carried.dispersed);
     carried.flight = AIMED;
     carried.share = 1.0;
-    return own_leg(vertex.x, vertex.speed * Real3(aim), vertex.tau, aimed_weight, HIT);
+    return own_leg(vertex.x, vertex.speed * Real3(aim), vertex.tau, aimed_throughput, HIT);
 }

@@ -23,13 +23,13 @@ var<private> guides: array<Guide, GUIDES>;
 
 fn guide_at(light: GridLight, vertex: PathVertex) -> Guide {
     let x = (vec3f(vertex.x) - light.lo) / light.h;
-    let fine = x + LIGHT_OFF / f32(light.refine) * vertex.across;
+    let fine = x + LIGHT_OFF / f32(light.refine) * vertex.normal;
     let brick = light_brick_at(light, fine);
-    let f = light_field[light_place(light, select(fine, x + LIGHT_OFF * vertex.across, brick == 0u), brick)];
+    let f = light_field[light_place(light, select(fine, x + LIGHT_OFF * vertex.normal, brick == 0u), brick)];
     let strength = length(f.xyz);
     let r = min(strength / max(f.w, 1e-30), 1.0);
     let kappa = clamp(r * (3.0 - r * r) / max(1.0 - r * r, 1e-6), WIDEST, NARROWEST);
-    let axis = select(vertex.across, -f.xyz / strength, strength > 0.0);
+    let axis = select(vertex.normal, -f.xyz / strength, strength > 0.0);
     let brightness = MORE * light.color.x * f.w;
     return Guide(axis, kappa, brightness, brightness * kappa / (2.0 * f32(PI) * (1.0 - exp(-2.0 * kappa))));
 }
@@ -45,7 +45,7 @@ fn guiding_brightness(vertex: PathVertex) -> f32 {
 
 // One number chooses the lobe and, rescaled, the angle to its axis.
 fn guiding_way(vertex: PathVertex, total: f32, u: vec2f) -> vec3f {
-    var chosen = Guide(vertex.across, WIDEST, 0.0, 0.0);
+    var chosen = Guide(vertex.normal, WIDEST, 0.0, 0.0);
     var at = 0.0;
     var sum = 0.0;
     for (var i = 0u; i < GUIDES; i++) {

@@ -6,6 +6,6 @@ fn radiance_emissive(material: Material, color: vec3f, lit: Lit) -> vec3f {
     return color;
 }
 
-fn answer_emissive(material: Material, color: vec3f) -> Answer {
-    return Answer(color, material.diffuse, vec3f(0.0), 1.0);
+fn bsdf_emissive(material: Material, color: vec3f) -> Bsdf {
+    return Bsdf(color, material.diffuse, vec3f(0.0), 1.0);
 }

@@ -10,8 +10,8 @@ fn radiance_phong(material: Material, color: vec3f, lit: Lit) -> vec3f {
 }
 
 // In path tracing the highlight is a glossy lobe, and there is no ambient light.
-fn answer_phong(material: Material, color: vec3f) -> Answer {
-    return Answer(material.emission, color, material.specular, material.exponent);
+fn bsdf_phong(material: Material, color: vec3f) -> Bsdf {
+    return Bsdf(material.emission, color, material.specular, material.exponent);
 }
 
 // Returns the Blinn–Phong reflection of light from one direction: to_light, normal and view (towards the viewer) are unit vectors.

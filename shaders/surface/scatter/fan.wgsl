@@ -9,7 +9,7 @@ const NEXT_CHOICE: u32 = 0x10000u;
 fn scatter_fan(material: Material, surface: Surface, end: PathPoint, index: u32, pixel: vec2u) -> Scattered {
     let speed = length(end.v);
     let d = end.v / speed;
-    let n = select(surface.across, -surface.across, dot(surface.across, d) > 0.0);
+    let n = select(surface.normal, -surface.normal, dot(surface.normal, d) > 0.0);
     let count = fan_count(material.fan);
     var total: Real = 0.0;
     for (var i = 0u; i < count; i++) {

@@ -5,9 +5,9 @@
 const GLOSSY: u32 = 5u;
 
 fn scatter_glossy(material: Material, surface: Surface, end: PathPoint, index: u32, pixel: vec2u) -> Scattered {
-    let mirrored = end.v - (2.0 * dot(end.v, surface.across)) * surface.across;
+    let mirrored = end.v - (2.0 * dot(end.v, surface.normal)) * surface.normal;
     let way = lobe_way(vec3f(normalize(mirrored)), material.exponent, lobe_point(pixel, index));
-    let across = vec3f(surface.across);
-    let above = dot(way, across) * dot(vec3f(mirrored), across) > 0.0;
+    let normal = vec3f(surface.normal);
+    let above = dot(way, normal) * dot(vec3f(mirrored), normal) > 0.0;
     return Scattered(length(end.v) * Real3(way), pattern_color(material, surface.uv), !above, true);
 }

@@ -15,7 +15,7 @@ fn scatter_microfacet(material: Material, surface: Surface, end: PathPoint, inde
         return Scattered(end.v, vec3f(1.0), false, true);
     }
     let way = normalize(end.v);
-    let axis = vec3f(select(surface.across, -surface.across, dot(surface.across, way) > 0.0));
+    let axis = vec3f(select(surface.normal, -surface.normal, dot(surface.normal, way) > 0.0));
     let facet = seen_facet(-vec3f(way), axis, material.roughness, lobe_point(pixel, index));
     let both = refraction(n1 * way, Real3(facet), n1, n2);
     if both.reflectance == 0.0 {
@@ -31,7 +31,7 @@ fn scatter_microfacet(material: Material, surface: Surface, end: PathPoint, inde
     let onward = select(both.transmitted, both.reflected, taken.reflects);
     let height = dot(normalize(vec3f(onward)), axis);
     let lost = (height > 0.0) != taken.reflects;
-    return Scattered(onward, vec3f(taken.weight * open_facets(height, material.roughness)), taken.cut || lost, true);
+    return Scattered(onward, vec3f(taken.throughput * open_facets(height, material.roughness)), taken.cut || lost, true);
 }
 
 // Returns the normal of a facet, drawn from those visible from the direction `view` (Heitz 2018, by the spherical caps of Dupuy and Benyoub

@@ -3,7 +3,7 @@
 struct Scattered {
     v: Real3,
     // The factor of the ray's throughput.
-    weight: vec3f,
+    throughput: vec3f,
     // The ray is followed no further.
     cut: bool,
     // False if the surface is opaque: the ray ends there.
@@ -14,7 +14,7 @@ struct Scattered {
 struct Branch {
     reflects: bool,
     // The factor of the ray's throughput.
-    weight: f32,
+    throughput: f32,
     // The ray is followed no further.
     cut: bool,
 }

@@ -19,13 +19,13 @@ fn scatter_ray(ray: Ray, met: ptr<function, Hit>, pixel: vec2u) -> Ray {
     if !scattered.continues {
         return next;
     }
-    if FILTERS {
-        filter_left(ray, end, side);
+    if ABSORBS {
+        absorption_left(ray, end, side);
     }
     if FINDS_CAUSTICS {
         note_sent();
     }
-    if scale_weight(scattered.weight) || scattered.cut {
+    if scale_throughput(scattered.throughput) || scattered.cut {
         next.status = CUT;
         enter_set(side);
         return next;

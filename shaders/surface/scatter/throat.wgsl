@@ -10,7 +10,7 @@ fn other_drawing(x: Real3) -> Real {
 }
 
 fn scatter_throat(material: Material, surface: Surface, end: PathPoint, index: u32, pixel: vec2u) -> Scattered {
-    let inwards = dot(end.v, surface.across) * surface.across;
+    let inwards = dot(end.v, surface.normal) * surface.normal;
     return Scattered(other_drawing(end.x) * (end.v - inwards) - inwards, vec3f(1.0), false, true);
 }
 

@@ -16,10 +16,10 @@ fn scatter_ending(surface: Surface, end: PathPoint, index: u32, pixel: vec2u) ->
     }
     let taken = chosen_branch(pixel, index, opacity);
     if taken.reflects {
-        scale_weight(vec3f(taken.weight));
+        scale_throughput(vec3f(taken.throughput));
         settle();
     }
-    return Scattered(end.v, vec3f(taken.weight), taken.cut, !taken.reflects);
+    return Scattered(end.v, vec3f(taken.throughput), taken.cut, !taken.reflects);
 }
 
 // A path that has ended by a split stays ended, however often a pass returns to its surface, and with any number of branches.

@@ -12,7 +12,7 @@ fn scatter_transmissive(material: Material, surface: Surface, end: PathPoint, in
     if medium_object() == near_medium {
         return Scattered(end.v, vec3f(1.0), false, true);
     }
-    let both = refraction(n1 * normalize(end.v), surface.across, n1, n2);
+    let both = refraction(n1 * normalize(end.v), surface.normal, n1, n2);
     var taken = Branch(both.reflectance > 0.5, 1.0, false);
     if both.reflectance > 0.0 && both.reflectance < 1.0 {
         taken = chosen_branch(pixel, index, f32(both.reflectance));
@@ -20,7 +20,7 @@ fn scatter_transmissive(material: Material, surface: Surface, end: PathPoint, in
     if taken.reflects {
         enter_set(bits);
     }
-    return Scattered(select(both.transmitted, both.reflected, taken.reflects), vec3f(taken.weight), taken.cut, true);
+    return Scattered(select(both.transmitted, both.reflected, taken.reflects), vec3f(taken.throughput), taken.cut, true);
 }
 
 // Snell's law and the Fresnel equations, in the velocity v = n d: the component along the surface is constant, and the normal component of

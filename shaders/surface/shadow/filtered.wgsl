@@ -20,7 +20,7 @@ fn light_share(shadows: u32, faces: bool, start: Real3, way: Real3) -> Share {
         var hit = first_met(s, 1u);
         there = hit.primitive == NOTHING;
         let part = select(hit.t, Real(1.0), there) * rest;
-        if FILTERS {
+        if ABSORBS {
             if shadows == WEAKENED {
                 share *= filtered_share(at, part);
             }
@@ -58,5 +58,5 @@ fn crossing_share(shadows: u32, hit: ptr<function, Hit>, x: Real3, way: Real3) -
     // An undeviated line has one angle of incidence on both sides. It is taken as the angle in the thinner medium, because otherwise light
     // would be totally reflected where it has entered through the same glass.
     let thin = min(n1, n2);
-    return f32(1.0 - refraction(thin * normalize(way), surface.across, thin, max(n1, n2)).reflectance);
+    return f32(1.0 - refraction(thin * normalize(way), surface.normal, thin, max(n1, n2)).reflectance);
 }

@@ -10,7 +10,7 @@ fn lit_from(x: Real3, surface: Surface, view: vec3f) -> Real3 {
         return x;
     }
     let off = OFF * (length(x) + surface.depth);
-    return x + select(-off, off, dot(vec3f(surface.across), view) >= 0.0) * surface.across;
+    return x + select(-off, off, dot(vec3f(surface.normal), view) >= 0.0) * surface.normal;
 }
 
 // True once a shadow has needed more work than a pass allows, for the rest of the lane.

@@ -39,7 +39,7 @@ impl Graph {
         match self.node(id) {
             // Functions of position need only first derivatives, which contain the direction of r and are not derived again.
             Node::Number(_) | Node::Direction(_) => self.constant(0.0),
-            Node::Choice([a, b, c, d]) => self.choice(a, b, of(c), of(d)),
+            Node::ProgramOptions([a, b, c, d]) => self.choice(a, b, of(c), of(d)),
             Node::Variable(own) => self.rate_of(own, change),
             Node::Square => {
                 let (two, half) = (self.constant(2.0), self.half_of_square(change));
@@ -106,7 +106,7 @@ impl Graph {
     }
 
     fn choice(&mut self, a: Id, b: Id, c: Id, d: Id) -> Id {
-        if c == d { c } else { self.make(Node::Choice([a, b, c, d])) }
+        if c == d { c } else { self.make(Node::ProgramOptions([a, b, c, d])) }
     }
 
     /// Returns k aᵏ⁻¹ a′; for rᵏ it is k rᵏ⁻² x, without a division by r for k ≥ 2.

@@ -52,7 +52,7 @@ pub enum Node {
     /// The larger of two; not a number if either is not.
     Max(Id, Id),
     /// `[a, b, c, d]`: c where a < b, else d.
-    Choice([Id; 4]),
+    ProgramOptions([Id; 4]),
 }
 
 /// The nodes of a formula and its gradient.
@@ -119,7 +119,7 @@ impl Graph {
             | Node::Quotient(a, b)
             | Node::Min(a, b)
             | Node::Max(a, b) => vec![a, b],
-            Node::Choice(parts) => parts.to_vec(),
+            Node::ProgramOptions(parts) => parts.to_vec(),
         }
     }
 
@@ -163,7 +163,7 @@ impl Graph {
                 Node::Min(a, b) | Node::Max(a, b) if of(a).is_nan() || of(b).is_nan() => f64::NAN,
                 Node::Min(a, b) => of(a).min(of(b)),
                 Node::Max(a, b) => of(a).max(of(b)),
-                Node::Choice([a, b, c, d]) => {
+                Node::ProgramOptions([a, b, c, d]) => {
                     if of(a) < of(b) {
                         of(c)
                     } else {

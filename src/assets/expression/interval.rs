@@ -218,7 +218,7 @@ impl Graph {
                         Interval { lo: a.lo.max(b.lo), hi: a.hi.max(b.hi) }
                     }
                 }
-                Node::Choice([a, b, c, d]) => {
+                Node::ProgramOptions([a, b, c, d]) => {
                     let (a, b) = (of(a), of(b));
                     smooth &= a.hi < b.lo || a.lo >= b.hi;
                     if a.hi < b.lo {

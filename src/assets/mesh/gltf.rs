@@ -23,7 +23,7 @@ use gltf_json::{Accessor, Index};
 
 use super::bytes::usable;
 use super::raw::{Corner, Raw};
-use super::{Capacity, Format, Mesh, Part, Parts, Read, Source};
+use super::{Capacity, Format, Mesh, MeshPart, MeshSource, Parts, Read};
 use crate::assets::format_error::FormatError;
 use crate::assets::gltf::{Elements, Gltf, NodeName};
 use crate::document::SceneError;
@@ -35,11 +35,11 @@ pub(super) const FORMAT: Format =
 const MOST: u64 = 1 << 26;
 
 impl Parts for Gltf {
-    fn find(&self, part: &Part) -> Result<(Source, DAffine3), SceneError> {
+    fn find(&self, part: &MeshPart) -> Result<(MeshSource, DAffine3), SceneError> {
         self.source(part).map_err(|flaw| flaw.of(self.path()))
     }
 
-    fn read(&self, source: &Source, capacity: &Capacity) -> Result<Raw, SceneError> {
+    fn read(&self, source: &MeshSource, capacity: &Capacity) -> Result<Raw, SceneError> {
         self.raw(source, capacity).map_err(|flaw| flaw.of(self.path()))
     }
 
@@ -54,7 +54,7 @@ impl Gltf {
     /// # Errors
     ///
     /// Returns an error if the file has no such part, or several nodes have its name.
-    pub fn find(&self, part: &Part) -> Result<(Source, DAffine3), SceneError> {
+    pub fn find(&self, part: &MeshPart) -> Result<(MeshSource, DAffine3), SceneError> {
         Parts::find(self, part)
     }
 
@@ -63,30 +63,30 @@ impl Gltf {
     /// # Errors
     ///
     /// Returns an error if the file has no such part, its data are invalid, or it has no triangles.
-    pub fn read(&self, source: &Source, crease: f64) -> Result<Mesh, SceneError> {
+    pub fn read(&self, source: &MeshSource, crease: f64) -> Result<Mesh, SceneError> {
         Parts::read(self, source, &Capacity::default())?.mesh(crease).map_err(|flaw| flaw.of(self.path()))
     }
 
-    fn source(&self, part: &Part) -> Result<(Source, DAffine3), FormatError> {
-        let Some(name) = &part.node else { return Ok((Source::Placed(part.clone()), DAffine3::IDENTITY)) };
+    fn source(&self, part: &MeshPart) -> Result<(MeshSource, DAffine3), FormatError> {
+        let Some(name) = &part.node else { return Ok((MeshSource::Placed(part.clone()), DAffine3::IDENTITY)) };
         let (number, world) = self.with_mesh()?.chosen(name)?;
         let (mesh, _) = self.mesh_of(number)?;
         self.numbers(number, part.primitive)?;
         if may_be_mapped(world) {
-            return Ok((Source::Own { mesh, primitive: part.primitive }, world));
+            return Ok((MeshSource::Own { mesh, primitive: part.primitive }, world));
         }
         let node = Some(NodeName::Number(number));
-        Ok((Source::Placed(Part { node, primitive: part.primitive }), DAffine3::IDENTITY))
+        Ok((MeshSource::Placed(MeshPart { node, primitive: part.primitive }), DAffine3::IDENTITY))
     }
 
-    fn raw(&self, source: &Source, capacity: &Capacity) -> Result<Raw, FormatError> {
+    fn raw(&self, source: &MeshSource, capacity: &Capacity) -> Result<Raw, FormatError> {
         let shown = match source {
-            Source::Own { mesh, primitive } => {
+            MeshSource::Own { mesh, primitive } => {
                 let count = self.root.meshes.get(*mesh).map_or(0, |mesh| mesh.primitives.len());
                 let numbers = primitive.map_or(0..count, |number| number as usize..number as usize + 1);
                 vec![(*mesh, numbers, DAffine3::IDENTITY)]
             }
-            Source::Placed(part) => {
+            MeshSource::Placed(part) => {
                 let all = self.with_mesh()?;
                 let nodes = match &part.node {
                     None => all.all.clone(),

@@ -73,12 +73,12 @@ pub struct MeshRequest {
     /// The crease angle in degrees: faces that meet at a larger angle have a visible edge, if the file has no normals.
     pub crease: f64,
     /// The part of the file.
-    pub part: Part,
+    pub part: MeshPart,
 }
 
 /// A part of a file with several nodes and primitives.
 #[derive(Debug, Clone, Default, PartialEq, Eq, Hash)]
-pub struct Part {
+pub struct MeshPart {
     /// The node with the mesh; `None` for all nodes.
     pub node: Option<NodeName>,
     /// The index of the mesh's primitive, from 0; `None` for all primitives.
@@ -87,9 +87,9 @@ pub struct Part {
 
 /// The source of triangles; nodes of a file that show equal triangles have equal sources.
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
-pub enum Source {
+pub enum MeshSource {
     /// A part of a file, transformed to the file's scene.
-    Placed(Part),
+    Placed(MeshPart),
     /// A mesh of a file in object space.
     Own {
         /// The index in the file's list of meshes.
@@ -107,7 +107,7 @@ impl MeshRequest {
 
 impl Default for MeshRequest {
     fn default() -> Self {
-        Self { crease: Self::CREASE, part: Part::default() }
+        Self { crease: Self::CREASE, part: MeshPart::default() }
     }
 }
 
@@ -143,10 +143,10 @@ const FORMATS: [&Format; 4] = [&obj::FORMAT, &ply::FORMAT, &stl::FORMAT, &gltf::
 /// A file with several parts.
 pub(super) trait Parts: std::fmt::Debug + Send + Sync {
     /// Returns the source of a part, and the map from the source to the file's scene.
-    fn find(&self, part: &Part) -> Result<(Source, DAffine3), SceneError>;
+    fn find(&self, part: &MeshPart) -> Result<(MeshSource, DAffine3), SceneError>;
 
     /// Reads the triangles of a source, if the capacity allows them.
-    fn read(&self, source: &Source, capacity: &Capacity) -> Result<Raw, SceneError>;
+    fn read(&self, source: &MeshSource, capacity: &Capacity) -> Result<Raw, SceneError>;
 
     /// Returns the other files that contain its data.
     fn others(&self) -> Vec<PathBuf>;
@@ -186,9 +186,11 @@ impl Opened {
     }
 
     /// Returns the source of a part, and the map from the source to the file's scene.
-    pub(super) fn find(&self, part: &Part, path: &Path) -> Result<(Source, DAffine3), SceneError> {
+    pub(super) fn find(&self, part: &MeshPart, path: &Path) -> Result<(MeshSource, DAffine3), SceneError> {
         match self {
-            Self::Whole(_) if *part == Part::default() => Ok((Source::Placed(part.clone()), DAffine3::IDENTITY)),
+            Self::Whole(_) if *part == MeshPart::default() => {
+                Ok((MeshSource::Placed(part.clone()), DAffine3::IDENTITY))
+            }
             Self::Whole(_) => {
                 let problem = "this format has no nodes: remove `node` and `primitive`".to_owned();
                 Err(SceneError::Mesh { path: path.to_owned(), problem })
@@ -200,7 +202,7 @@ impl Opened {
     /// Returns the mesh of a source; missing normals are generated with the crease angle `crease`.
     pub(super) fn mesh(
         &self,
-        source: &Source,
+        source: &MeshSource,
         crease: f64,
         path: &Path,
         capacity: &Capacity,
@@ -258,7 +260,7 @@ impl Mesh {
     pub fn load(path: &Path) -> Result<Self, SceneError> {
         let (stage, capacity) = (Stage::unwatched(), Capacity::default());
         let opened = Opened::read(path, Reading { stage: &stage, capacity: &capacity })?;
-        let (source, _) = opened.find(&Part::default(), path)?;
+        let (source, _) = opened.find(&MeshPart::default(), path)?;
         opened.mesh(&source, MeshRequest::CREASE, path, &capacity)
     }
 

@@ -4,7 +4,7 @@ use std::path::Path;
 
 use serde_json::{Value, json};
 
-use crate::cli::format::{Found, shown};
+use crate::cli::format::{CommandResult, shown};
 use crate::document::brief;
 use crate::error::Error;
 use crate::scene::{Diagnostic, SceneError};
@@ -15,7 +15,7 @@ pub(super) struct InvalidScene<'a> {
     pub error: Error,
 }
 
-impl Found for InvalidScene<'_> {
+impl CommandResult for InvalidScene<'_> {
     fn text(&self) -> String {
         format!("error: {}", self.error)
     }

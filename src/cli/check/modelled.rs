@@ -4,7 +4,7 @@ use std::path::Path;
 
 use serde_json::{Value, json};
 
-use crate::cli::format::{Found, counted, shown};
+use crate::cli::format::{CommandResult, counted, shown};
 use crate::cli::render::followed;
 use crate::gpu::{AccelStructure, Geometry, Grid, LightVolume, Memory, adapters, halved_pictures, light_bytes};
 use crate::model::medium::VISIBLE;
@@ -27,7 +27,7 @@ pub(super) struct Modelled<'a> {
     pub names_commands: bool,
 }
 
-impl Found for Modelled<'_> {
+impl CommandResult for Modelled<'_> {
     fn text(&self) -> String {
         let scene = &self.scene;
         let [width, height] = scene.image.size;
@@ -200,11 +200,11 @@ impl GridOfLight {
 fn random_words(scene: &Scene) -> Vec<String> {
     let mut words = Vec::new();
     if scene.rays.path_tracing.is_some() {
-        let lamps: Vec<_> = scene.lamps().iter().map(|lamp| format!("objects[{}]", lamp.object)).collect();
-        let emitters = counted((lamps.len(), "emitter"));
-        let lamps = (!lamps.is_empty()).then(|| format!("{emitters} ({})", lamps.join(", ")));
+        let emitters: Vec<_> = scene.emitters().iter().map(|emitter| format!("objects[{}]", emitter.object)).collect();
+        let count = counted((emitters.len(), "emitter"));
+        let emitters = (!emitters.is_empty()).then(|| format!("{count} ({})", emitters.join(", ")));
         let sky = scene.aims_at_sky().then(|| "the bright parts of the sky".to_owned());
-        let aims: Vec<_> = lamps.into_iter().chain(sky).collect();
+        let aims: Vec<_> = emitters.into_iter().chain(sky).collect();
         words.push(if aims.is_empty() {
             "direct-light sampling: none, paths find light only by chance".to_owned()
         } else {
@@ -243,8 +243,8 @@ fn dispersion_words(scene: &Scene) -> Option<String> {
 /// Describes path guiding, if it is used.
 fn guide_words(scene: &Scene) -> Option<String> {
     let beam = |beam: &Beam| match beam.through {
-        Some(object) => format!("objects[{}] via objects[{object}]", beam.lamp.object),
-        None => format!("objects[{}]", beam.lamp.object),
+        Some(object) => format!("objects[{}] via objects[{object}]", beam.emitter.object),
+        None => format!("objects[{}]", beam.emitter.object),
     };
     let beams: Vec<_> = scene.beams().iter().map(beam).collect();
     let (grids, paths) = (counted((beams.len(), "photon grid")), scene.guide_grid().paths);

@@ -6,7 +6,7 @@ use std::path::PathBuf;
 use serde_json::{Value, json};
 
 use super::job::{Job, ranges};
-use crate::cli::format::{Found, shown};
+use crate::cli::format::{CommandResult, shown};
 use crate::cli::share::Target;
 use crate::error::Error;
 use crate::output::origin::{LINES, SCENE, difference};
@@ -54,7 +54,7 @@ struct Whole {
     files: Vec<PathBuf>,
 }
 
-impl Found for Whole {
+impl CommandResult for Whole {
     fn text(&self) -> String {
         format!("{} images, all present and consistent", self.count)
     }

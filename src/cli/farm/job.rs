@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 use serde_json::{Value, json};
 
-use crate::cli::format::{Format, Found, shown};
+use crate::cli::format::{CommandResult, Format, shown};
 use crate::cli::frames::Film;
 use crate::cli::origin::scene_origin;
 use crate::cli::paths;
@@ -182,7 +182,7 @@ impl Written {
     }
 }
 
-impl Found for Written {
+impl CommandResult for Written {
     fn text(&self) -> String {
         let files: Vec<String> = self.files.iter().map(shown).collect();
         let commands: Vec<String> = self.commands.iter().map(|command| format!("`{command}`")).collect();

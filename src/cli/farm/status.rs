@@ -5,7 +5,7 @@ use std::fs;
 use serde_json::{Value, json};
 
 use super::job::{Job, Loaded, failure, ranges};
-use crate::cli::format::Found;
+use crate::cli::format::CommandResult;
 use crate::cli::share::Target;
 use crate::error::Error;
 
@@ -42,7 +42,7 @@ impl State {
 }
 
 /// A part of a job.
-struct Part {
+struct JobPart {
     /// The number of the part, from 1.
     number: u32,
     state: State,
@@ -51,16 +51,16 @@ struct Part {
 }
 
 /// All parts of a job.
-struct Progress(Vec<Part>);
+struct Progress(Vec<JobPart>);
 
 pub(super) fn run(job: &Job) -> Result<(), Error> {
     let loaded = job.load()?;
-    let part = |(number, targets): (u32, &Vec<Target>)| Part::look(job, &loaded, number, targets);
-    let parts: Vec<Part> = (1..).zip(&loaded.shares).map(part).collect::<Result<_, _>>()?;
+    let part = |(number, targets): (u32, &Vec<Target>)| JobPart::look(job, &loaded, number, targets);
+    let parts: Vec<JobPart> = (1..).zip(&loaded.shares).map(part).collect::<Result<_, _>>()?;
     job.format().say(&Progress(parts))
 }
 
-impl Part {
+impl JobPart {
     fn look(job: &Job, loaded: &Loaded, number: u32, targets: &[Target]) -> Result<Self, Error> {
         let log = fs::read_to_string(job.log(number)).ok();
         let error = log.as_deref().and_then(failure);
@@ -90,7 +90,7 @@ impl Progress {
     }
 }
 
-impl Found for Progress {
+impl CommandResult for Progress {
     fn text(&self) -> String {
         let mut lines = vec![format!("{} of {} parts are done", self.numbers(State::Done).len(), self.0.len())];
         for state in State::ALL.into_iter().filter(|state| *state != State::Done) {
@@ -99,13 +99,13 @@ impl Found for Progress {
                 lines.push(format!("{}: {} ({})", state.words(), numbers.len(), ranges(&numbers)));
             }
         }
-        let reason = |part: &Part| Some(format!("part {}: {}", part.number, part.error.as_ref()?));
+        let reason = |part: &JobPart| Some(format!("part {}: {}", part.number, part.error.as_ref()?));
         lines.extend(self.0.iter().filter_map(reason));
         lines.join("\n")
     }
 
     fn json(&self) -> Value {
-        let part = |part: &Part| json!({ "part": part.number, "state": part.state.name(), "error": part.error });
+        let part = |part: &JobPart| json!({ "part": part.number, "state": part.state.name(), "error": part.error });
         json!({
             "count": State::ALL.map(|state| (state.name(), self.numbers(state).len())).into_iter().collect::<Value>(),
             "parts": self.0.iter().map(part).collect::<Vec<_>>(),

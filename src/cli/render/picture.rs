@@ -5,7 +5,7 @@ use std::time::Duration;
 
 use serde_json::{Value, json};
 
-use crate::cli::format::{Found, shown};
+use crate::cli::format::{CommandResult, shown};
 use crate::cli::share::Target;
 use crate::measure::{Quantiles, Verification};
 use crate::render::{Adaptive, Clamped, LightReport, Noise, StartUp, Status, Totals, Window};
@@ -47,7 +47,7 @@ impl Made<'_> {
     }
 }
 
-impl Found for Picture<'_> {
+impl CommandResult for Picture<'_> {
     fn text(&self) -> String {
         let Some(made) = self.made else { return String::new() };
         let mut lines: Vec<String> = made.launch.iter().map(ToString::to_string).collect();

@@ -9,7 +9,7 @@ use std::path::{Path, PathBuf};
 use serde_json::{Value, json};
 
 use super::Arguments;
-use crate::cli::format::{Found, shown};
+use crate::cli::format::{CommandResult, shown};
 use crate::cli::frame_names::numbered;
 use crate::cli::screen;
 use crate::cli::share::Target;
@@ -25,7 +25,7 @@ struct Finished<'a> {
     rate: f64,
 }
 
-impl Found for Finished<'_> {
+impl CommandResult for Finished<'_> {
     fn text(&self) -> String {
         format!("{}: {} frames, {} per second", self.path.display(), self.frames, self.rate)
     }

@@ -117,7 +117,7 @@ impl Work<'_> {
             Some(_) => settled(self.arguments.load(&self.film, frame, None)?, &self.leading),
         };
         let mut said = origin(&self.film, frame, self.gpu, &scene)?;
-        said.push((COMPARED.to_owned(), (self.settings.choice.layers != self.layers).to_string()));
+        said.push((COMPARED.to_owned(), (self.settings.options.layers != self.layers).to_string()));
         said.extend(self.verification.iter().flat_map(Verification::metadata));
         let layers = self.layers.clone();
         // A still image is rendered again at each request.

@@ -3,7 +3,7 @@
 //! *Theory.* Over a length d the transmittance is e^(−σd), where σ is the absorption coefficient. A transmittance c per unit length means σ
 //! = −ln c. The coefficient may vary over space by formulas or by a noise texture, and a medium may also emit light.
 //!
-//! *Practice.* A [`Filter`] belongs to an interior or to the whole space of the law. Each kind of density has a function in
+//! *Practice.* A [`Absorption`] belongs to an interior or to the whole space of the law. Each kind of density has a function in
 //! `shaders/absorption/density.wgsl`.
 
 mod read;
@@ -19,11 +19,11 @@ pub use texture::{NoiseColoring, Texture};
 
 /// The absorption and emission of a medium.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Filter {
+pub struct Absorption {
     /// The absorption.
     pub density: Density,
     /// The emitted radiance per unit length.
-    pub glow: DVec3,
+    pub emission: DVec3,
     /// The largest difference between the optical depth of a path segment and the sum over its halves.
     pub tolerance: f64,
     /// The origin of formulas and textures.
@@ -49,7 +49,7 @@ pub fn density_of(color: DVec3) -> DVec3 {
     -color.max(DVec3::splat(1e-30)).map(f64::ln)
 }
 
-impl Filter {
+impl Absorption {
     /// The default tolerance, as coarse as the images of the published sources.
     pub const TOLERANCE: f64 = 1e-3;
 
@@ -57,7 +57,7 @@ impl Filter {
     #[must_use]
     pub fn even(color: DVec3) -> Self {
         let density = Density::Even(density_of(color));
-        Self { density, glow: DVec3::ZERO, tolerance: Self::TOLERANCE, center: DVec3::ZERO }
+        Self { density, emission: DVec3::ZERO, tolerance: Self::TOLERANCE, center: DVec3::ZERO }
     }
 
     /// Returns the kind: `density_KIND` in `shaders/absorption/density.wgsl` computes the coefficient.
@@ -95,7 +95,7 @@ impl Filter {
         self.texture().is_some_and(|texture| matches!(texture.look, NoiseColoring::Wrapped(..)))
     }
 
-    /// Returns the members of its `Filter` in WGSL; `formulas` is the index of its formulas.
+    /// Returns the members of its `Absorption` in WGSL; `formulas` is the index of its formulas.
     #[must_use]
     pub fn values(&self, formulas: usize) -> Row {
         let own = match &self.density {
@@ -105,7 +105,7 @@ impl Filter {
             }
             Density::Texture(texture) => texture.values(),
         };
-        let all = row! { glow: Vec3(self.glow), tolerance: Float(self.tolerance), center: Vec3(self.center) };
+        let all = row! { emission: Vec3(self.emission), tolerance: Float(self.tolerance), center: Vec3(self.center) };
         [own, all].concat()
     }
 }

@@ -2,11 +2,11 @@
 
 use glam::DVec3;
 
-use super::{Density, Filter, NoiseColoring, Texture, density_of};
+use super::{Absorption, Density, NoiseColoring, Texture, density_of};
 use crate::assets::{Files, Formula};
 use crate::document::reader::TableReader;
 use crate::document::values::{
-    Read, array, color, direction, number, number_where, positive, text, vector, whole, word,
+    Parsed, array, color, direction, number, number_where, positive, text, vector, whole, word,
 };
 use crate::document::{KeyReference, Node, Value, key_rows};
 
@@ -38,15 +38,15 @@ pub(crate) fn reference() -> Vec<KeyReference> {
 }
 
 /// Reads a filter from a node: a transmittance per unit length, or a table.
-pub(crate) fn read(parent: &TableReader, node: &Node, center: DVec3, files: &mut Files) -> Option<Filter> {
+pub(crate) fn read(parent: &TableReader, node: &Node, center: DVec3, files: &mut Files) -> Option<Absorption> {
     if !matches!(node.value, Value::Table(_)) {
-        return parent.reader.accept(part(node).map(Filter::even));
+        return parent.reader.accept(part(node).map(Absorption::even));
     }
     let table = parent.reader.open("absorption", node)?;
-    let usual = Filter::even(DVec3::ONE);
+    let usual = Absorption::even(DVec3::ONE);
     let small = number_where("a number above 0 and below 1", |x| x > 0.0 && x < 1.0);
     let center = table.or("center", center, vector);
-    let glow = table.or("emission", usual.glow, color);
+    let emission = table.or("emission", usual.emission, color);
     let tolerance = table.or("tolerance", usual.tolerance, small);
     let density = match table.one_of(&["transmittance", "coefficient", "texture"]) {
         Some(("transmittance", node)) => colors(&table, node),
@@ -55,11 +55,11 @@ pub(crate) fn read(parent: &TableReader, node: &Node, center: DVec3, files: &mut
         None => Some(usual.density),
     };
     table.finish();
-    Some(Filter { density: density?, glow, tolerance, center })
+    Some(Absorption { density: density?, emission, tolerance, center })
 }
 
 /// Reads a color with channels from 0 to 1.
-fn part(node: &Node) -> Read<DVec3> {
+fn part(node: &Node) -> Parsed<DVec3> {
     let color = color(node)?;
     if color.max_element() > 1.0 {
         let problem = format!("expected channels from 0 to 1, found {}", color.max_element());

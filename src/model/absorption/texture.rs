@@ -50,7 +50,7 @@ impl Texture {
         1.0 / (self.frequency * f64::from(1 << (self.octaves - 1)))
     }
 
-    /// Returns the members of `Filter` that only textures have.
+    /// Returns the members of `Absorption` that only textures have.
     #[must_use]
     pub fn values(&self) -> Row {
         let own = match self.look {

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use glam::DVec2;
 
 use super::{Kind, Projection};
-use crate::document::values::{Read, array, positive};
+use crate::document::values::{Parsed, array, positive};
 use crate::document::{Node, keys};
 use crate::model::{Row, row};
 
@@ -19,7 +19,7 @@ pub static KIND: Kind = Kind {
 };
 
 /// Reads the horizontal and vertical opening angles.
-fn sides(node: &Node) -> Read<[f64; 2]> {
+fn sides(node: &Node) -> Parsed<[f64; 2]> {
     let angles: [f64; 2] = array("two angles in degrees, [across, upwards]", positive)(node)?;
     if angles[0] > 360.0 || angles[1] > 180.0 {
         let problem = format!("expected angles of up to [360, 180] degrees, found {angles:?}");

@@ -4,7 +4,7 @@ use glam::{DVec3, DVec4};
 
 use super::{Camera, Event, KINDS, Path, Stereo, StereoLayout, WorldlineError, fall};
 use crate::document::reader::TableReader;
-use crate::document::values::{Read, boolean, direction, not_negative, number, positive, vector, word};
+use crate::document::values::{Parsed, boolean, direction, not_negative, number, positive, vector, word};
 use crate::document::{Node, SpannedError, Value};
 use crate::model::law::OBSERVER_PART;
 use crate::model::{Law, Observer, Order};
@@ -160,14 +160,14 @@ fn on_worldline(table: &TableReader, node: &Node, law: Option<&dyn Law>) -> Opti
 }
 
 /// Reads t, x, y and z, and returns x, y, z and t.
-fn event(node: &Node) -> Read<DVec4> {
+fn event(node: &Node) -> Parsed<DVec4> {
     let expected = || node.expected("[t, x, y, z]");
     let Value::Array(items) = &node.value else { return Err(expected()) };
     let [t, x, y, z] = &items[..] else { return Err(expected()) };
     Ok(DVec4::new(number(x)?, number(y)?, number(z)?, number(t)?))
 }
 
-fn slower_than_light(node: &Node) -> Read<DVec3> {
+fn slower_than_light(node: &Node) -> Parsed<DVec3> {
     let velocity = vector(node)?;
     if velocity.length() < 1.0 {
         Ok(velocity)

@@ -4,9 +4,9 @@
 //!
 //! | `depends` | required function |
 //! |---|---|
-//! | `"place"` | `fn law_acceleration(x: Real3, held: Real) -> Real3`, and `law_held` if each ray stores a constant |
-//! | `"velocity"` | `fn law_pull(x: Real3, v: Real3) -> Real3`: the acceleration by position and velocity |
-//! | `"time"` | `fn law_pull_at(x: Real3, v: Real3, tau: Real) -> Real3`: the acceleration by position, velocity and τ from the ray's start |
+//! | `"place"` | `fn law_acceleration(x: Real3, held: Real) -> Real3`, and `law_ray_constant` if each ray stores a constant |
+//! | `"velocity"` | `fn law_acceleration_by_velocity(x: Real3, v: Real3) -> Real3`: the acceleration by position and velocity |
+//! | `"time"` | `fn law_acceleration_by_time(x: Real3, v: Real3, tau: Real) -> Real3`: the acceleration by position, velocity and τ from the ray's start |
 //! | `"flow"` | `fn flow_field(x: Real3) -> Real3`: the velocity of a first-order law |
 //!
 //! The file may also define `law_start`, `law_projected` and `law_scale` (`flow_time` for a flow), and otherwise uses the defaults.
@@ -19,9 +19,9 @@ use std::sync::Arc;
 use glam::{DVec2, DVec3, DVec4};
 
 use super::sources::OWN_SPEED;
-use super::{CharacteristicSurface, Facts, Kind, Law, Order, UsualSteps};
+use super::{CharacteristicSurface, Kind, Law, LawProperties, Order, UsualSteps};
 use crate::document::reader::TableReader;
-use crate::document::values::{Read, array, number, positive, word};
+use crate::document::values::{Parsed, array, number, positive, word};
 use crate::document::{Node, Value as Written, keys};
 use crate::model::{Anchor, Binding, Capture, Promise, Row, UserWgsl, Value, Wgsl, row};
 
@@ -84,7 +84,7 @@ fn parameters(table: &TableReader, text: Option<&str>) -> Option<Vec<(String, Va
     all.into_iter().collect()
 }
 
-fn is_name(name: &str, node: &Node) -> Read<()> {
+fn is_name(name: &str, node: &Node) -> Parsed<()> {
     let fits = name.starts_with(|c: char| c.is_ascii_alphabetic())
         && name.chars().all(|c| c.is_ascii_alphanumeric() || c == '_')
         && !name.contains("__");
@@ -97,7 +97,7 @@ fn is_name(name: &str, node: &Node) -> Read<()> {
 }
 
 /// Checks that the file uses the parameter; otherwise, one of the two is misspelled.
-fn is_used(name: &str, node: &Node, text: Option<&str>) -> Read<()> {
+fn is_used(name: &str, node: &Node, text: Option<&str>) -> Parsed<()> {
     let mut words = text.into_iter().flat_map(|text| text.split(|c: char| !c.is_ascii_alphanumeric() && c != '_'));
     if text.is_none() || words.any(|word| word == name) {
         return Ok(());
@@ -108,9 +108,9 @@ fn is_used(name: &str, node: &Node, text: Option<&str>) -> Read<()> {
     ))
 }
 
-fn parameter(node: &Node) -> Read<Value> {
+fn parameter(node: &Node) -> Parsed<Value> {
     let Written::Array(items) = &node.value else { return number(node).map(Value::Float) };
-    match *items.iter().map(number).collect::<Read<Vec<f64>>>()? {
+    match *items.iter().map(number).collect::<Parsed<Vec<f64>>>()? {
         [x, y] => Ok(Value::Vec2(DVec2::new(x, y))),
         [x, y, z] => Ok(Value::Vec3(DVec3::new(x, y, z))),
         [x, y, z, w] => Ok(Value::Vec4(DVec4::new(x, y, z, w))),
@@ -159,11 +159,13 @@ impl CustomLaw {
         let own = match self.depends {
             Depends::Place => vec![
                 Promise::required("fn law_acceleration(x: Real3, held: Real) -> Real3"),
-                Promise::usual("fn law_held(p: Phase) -> Real", "law/held_nothing"),
+                Promise::usual("fn law_ray_constant(p: Phase) -> Real", "law/no_constant"),
             ],
-            Depends::Velocity => vec![Promise::required("fn law_pull(x: Real3, v: Real3) -> Real3")],
+            Depends::Velocity => {
+                vec![Promise::required("fn law_acceleration_by_velocity(x: Real3, v: Real3) -> Real3")]
+            }
             Depends::Time => {
-                let required = Promise::required("fn law_pull_at(x: Real3, v: Real3, tau: Real) -> Real3");
+                let required = Promise::required("fn law_acceleration_by_time(x: Real3, v: Real3, tau: Real) -> Real3");
                 return vec![required, all[1].clone(), all[2].clone()];
             }
             Depends::Flow => {
@@ -216,16 +218,16 @@ impl Law for CustomLaw {
     }
 
     /// The steps are scaled, because the author specifies the scale over which the law changes.
-    fn facts(&self) -> Facts<'_> {
+    fn facts(&self) -> LawProperties<'_> {
         let time = "a law that depends on τ would restart at τ = 0 at each surface";
-        let by = |order| Facts { order, refuses_interiors: Some(OWN_SPEED), ..Facts::default() };
+        let by = |order| LawProperties { order, refuses_interiors: Some(OWN_SPEED), ..LawProperties::default() };
         let facts = match self.depends {
             Depends::Place => by(Order::Place),
             Depends::Velocity => by(Order::General),
-            Depends::Time => Facts { carries_time: true, refuses_surfaces: Some(time), ..by(Order::General) },
-            Depends::Flow => Facts::flow(),
+            Depends::Time => LawProperties { carries_time: true, refuses_surfaces: Some(time), ..by(Order::General) },
+            Depends::Flow => LawProperties::flow(),
         };
-        Facts { usual_steps: UsualSteps::Scaled, ..facts }
+        LawProperties { usual_steps: UsualSteps::Scaled, ..facts }
     }
 
     fn captures(&self, _: Option<&dyn Fn(DVec3) -> f64>) -> Vec<Capture> {

@@ -1,7 +1,7 @@
 //! Definitions that all flows share: the vector field F of a dynamical system is a ray's velocity or its acceleration.
 
 use super::sources::OWN_SPEED;
-use super::{Facts, USUAL_PARTS};
+use super::{LawProperties, USUAL_PARTS};
 use crate::document::reader::TableReader;
 use crate::document::values::whole;
 use crate::document::{Key, keys};
@@ -37,10 +37,10 @@ impl FlowOrder {
         }
     }
 
-    pub(super) fn facts<'a>(self) -> Facts<'a> {
+    pub(super) fn facts<'a>(self) -> LawProperties<'a> {
         match self {
-            Self::Velocity => Facts::flow(),
-            Self::Acceleration => Facts { refuses_interiors: Some(OWN_SPEED), ..Facts::default() },
+            Self::Velocity => LawProperties::flow(),
+            Self::Acceleration => LawProperties { refuses_interiors: Some(OWN_SPEED), ..LawProperties::default() },
         }
     }
 }

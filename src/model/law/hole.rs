@@ -6,7 +6,7 @@
 use glam::{DMat4, DVec3, DVec4};
 
 use super::observer::{four_velocity, spherical};
-use super::{CharacteristicSurface, Facts, Invariant, Law, OBSERVER_PART, Observer, Orbit, OrbitForm, Order};
+use super::{CharacteristicSurface, Invariant, Law, LawProperties, OBSERVER_PART, Observer, Orbit, OrbitForm, Order};
 use crate::model::halved::halved;
 use crate::model::{Anchor, Binding, Capture, Value, Wgsl, row};
 
@@ -128,21 +128,21 @@ impl Law for RoundHole {
         vec![Binding::one("law", row)]
     }
 
-    fn facts(&self) -> Facts<'_> {
+    fn facts(&self) -> LawProperties<'_> {
         let is_geodesic = self.form == HoleForm::Geodesic;
         let (pull, momentum_parts) = match self.form {
             HoleForm::Charged => ("law/orbit/charged", &["law/momentum/round", "law/clock/charged"]),
             _ => ("law/orbit/schwarzschild", &["law/momentum/round", "law/clock/schwarzschild"]),
         };
         let orbit = Orbit { center: self.center, form: OrbitForm::Plane(pull), is_free_far_away: true };
-        Facts {
+        LawProperties {
             order: if is_geodesic { Order::General } else { Order::Place },
             carries_time: is_geodesic,
             orbit: (!is_geodesic).then_some(orbit),
             momentum_parts,
             swallows: self.horizon().map(|horizon| self.sphere(horizon)),
             refuses_interiors: is_geodesic.then_some("interiors require law.form = \"path\""),
-            ..Facts::default()
+            ..LawProperties::default()
         }
     }
 

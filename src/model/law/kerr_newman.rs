@@ -15,7 +15,7 @@ use std::sync::Arc;
 use glam::{DMat4, DVec3, DVec4};
 
 use super::observer::{four_velocity, light_speed};
-use super::{CharacteristicSurface, Facts, Invariant, Kind, Law, Observer, Orbit, OrbitForm, Order};
+use super::{CharacteristicSurface, Invariant, Kind, Law, LawProperties, Observer, Orbit, OrbitForm, Order};
 use crate::document::keys;
 use crate::document::values::{direction, number, positive, vector};
 use crate::model::halved::halved;
@@ -188,9 +188,9 @@ impl Law for KerrNewman {
     }
 
     /// The orbit equation needs a horizon: without one, rays reach r = 0, where u diverges.
-    fn facts(&self) -> Facts<'_> {
+    fn facts(&self) -> LawProperties<'_> {
         let orbit = Orbit { center: self.center, form: OrbitForm::Separated, is_free_far_away: true };
-        Facts {
+        LawProperties {
             order: Order::General,
             keeps_time: true,
             orbit: self.horizon().map(|_| orbit),
@@ -204,7 +204,7 @@ impl Law for KerrNewman {
             refuses_sent_light: Some(
                 "near a rotating black hole, light does not retrace the path of a ray from the camera",
             ),
-            ..Facts::default()
+            ..LawProperties::default()
         }
     }
 

@@ -4,14 +4,14 @@ use std::sync::Arc;
 
 use glam::DVec3;
 
-use super::{CharacteristicSurface, Facts, Form, Invariant, Kind, Law};
+use super::{CharacteristicSurface, Form, Invariant, Kind, Law, LawProperties};
 use crate::document::keys;
 use crate::model::medium::{self, Surroundings};
 use crate::model::{Medium, Wgsl};
 
 /// The WGSL modules of a medium without closed-form paths.
 pub const SOLVED_PARTS: [&str; 5] =
-    ["law/accelerated", "law/held_nothing", "law/start_by_index", "law/projected_as_is", "law/medium"];
+    ["law/accelerated", "law/no_constant", "law/start_by_index", "law/projected_as_is", "law/medium"];
 
 pub static KIND: Kind = Kind {
     name: "medium",
@@ -45,8 +45,8 @@ impl Law for InMedium {
         Wgsl::parts(&SOLVED_PARTS)
     }
 
-    fn facts(&self) -> Facts<'_> {
-        Facts { form: Form::Medium(&self.0), terms: self.0.facts().terms, ..Facts::default() }
+    fn facts(&self) -> LawProperties<'_> {
+        LawProperties { form: Form::Medium(&self.0), terms: self.0.facts().terms, ..LawProperties::default() }
     }
 
     fn invariants(&self, x: DVec3, v: DVec3) -> Vec<Invariant> {

@@ -2,7 +2,7 @@
 //!
 //! *Theory.* A law is the derivative dp/dτ of a point of phase space p = (x, v) along a ray. The WGSL contract is `law_derivative(p)`,
 //! `law_start(x, v)`, `law_projected(p)`, `law_scale(p)` and `path_acceleration(p, rate)`. A law whose acceleration depends on position
-//! alone implements `law_acceleration(x, held)` and `law_held(p)` instead of the first and the last. [`Law`] contains the properties that
+//! alone implements `law_acceleration(x, held)` and `law_ray_constant(p)` instead of the first and the last. [`Law`] contains the properties that
 //! the host needs.
 //!
 //! *Practice.* [`KINDS`] lists each kind once. To add a kind, add a WGSL file, a file here and a line of that table.
@@ -35,7 +35,7 @@ use std::sync::Arc;
 use glam::{DMat3, DMat4, DVec3, DVec4};
 
 use super::dyn_eq::same;
-use super::{Anchor, Binding, Capture, ClosedForm, DynEq, Filter, Medium, Wgsl, absorption};
+use super::{Absorption, Anchor, Binding, Capture, ClosedForm, DynEq, Medium, Wgsl, absorption};
 use crate::assets::{Files, LineElement};
 use crate::document::reader::TableReader;
 use crate::document::{self, Kinds};
@@ -83,12 +83,12 @@ pub static KINDS: Kinds<Read> = Kinds {
 };
 
 /// The modules of a usual second-order law, which stores no constant per ray and leaves starts and steps unchanged.
-const USUAL_PARTS: [&str; 4] = ["law/accelerated", "law/held_nothing", "law/start_as_given", "law/projected_as_is"];
+const USUAL_PARTS: [&str; 4] = ["law/accelerated", "law/no_constant", "law/start_as_given", "law/projected_as_is"];
 
 /// The properties of a law that do not depend on position.
 #[derive(Debug, Clone)]
 #[allow(clippy::struct_excessive_bools)] // facts, each by itself
-pub struct Facts<'a> {
+pub struct LawProperties<'a> {
     /// The variables on which the derivative depends.
     pub order: Order,
     /// Is `true` if a state includes time as a fourth number next to position and velocity.
@@ -159,7 +159,7 @@ pub enum UsualSteps {
     Scaled,
 }
 
-impl Default for Facts<'_> {
+impl Default for LawProperties<'_> {
     /// Returns the properties of a second-order law without restrictions and without observers.
     fn default() -> Self {
         Self {
@@ -189,7 +189,7 @@ impl Default for Facts<'_> {
     }
 }
 
-impl<'a> Facts<'a> {
+impl<'a> LawProperties<'a> {
     /// Returns the properties of a flow, which is a first-order law.
     #[must_use]
     pub fn flow() -> Self {
@@ -247,8 +247,8 @@ pub trait Law: fmt::Debug + Send + Sync + DynEq {
     }
 
     /// Returns the properties that do not depend on position.
-    fn facts(&self) -> Facts<'_> {
-        Facts::default()
+    fn facts(&self) -> LawProperties<'_> {
+        LawProperties::default()
     }
 
     /// Returns the law `time` later, in a camera's axes, which are columns to the right, up and backwards; `None` if it is unchanged.
@@ -348,17 +348,17 @@ pub struct Invariant {
 }
 
 /// Reads the law and the absorption of space. The law defaults to straight lines, and is `None` after an error.
-pub(crate) fn read(root: &TableReader, files: &mut Files) -> (Option<Arc<dyn Law>>, Option<Filter>) {
+pub(crate) fn read(root: &TableReader, files: &mut Files) -> (Option<Arc<dyn Law>>, Option<Absorption>) {
     if root.node("law").is_none() {
         return (Some(Arc::new(Straight)), None);
     }
     let Some(table) = root.subtable("law", "law") else { return (None, None) };
     let law = KINDS.chosen(&table).and_then(|read| read(&table, files));
-    let filter = table.node("absorption").map(|node| absorption::read(&table, node, DVec3::ZERO, files));
+    let absorption = table.node("absorption").map(|node| absorption::read(&table, node, DVec3::ZERO, files));
     table.finish();
-    match filter {
+    match absorption {
         Some(None) => (None, None),
-        Some(filter) => (law, filter),
+        Some(absorption) => (law, absorption),
         None => (law, None),
     }
 }

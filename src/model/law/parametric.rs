@@ -10,10 +10,10 @@ use std::sync::Arc;
 
 use glam::{DMat3, DVec3};
 
-use super::{Facts, Form, Kind, Law, Order};
+use super::{Form, Kind, Law, LawProperties, Order};
 use crate::assets::{Curve, Interval};
 use crate::document::reader::TableReader;
-use crate::document::values::{Read, array, number, text, word};
+use crate::document::values::{Parsed, array, number, text, word};
 use crate::document::{Node, keys};
 use crate::model::{Binding, ClosedForm, Start, Wgsl, row};
 
@@ -68,7 +68,7 @@ fn written<'a>(table: &TableReader, node: Option<&'a Node>) -> Option<&'a str> {
     text(node).map_err(|_| table.reader.fault(node.fault("expected a formula, in quotes", help))).ok()
 }
 
-fn range(node: &Node) -> Read<[f64; 2]> {
+fn range(node: &Node) -> Parsed<[f64; 2]> {
     let [first, last] = array("a range of t, [first, last]", number)(node)?;
     if first < last {
         Ok([first, last])
@@ -169,9 +169,9 @@ impl Law for Parametric {
         [law].into_iter().chain(axes).collect()
     }
 
-    fn facts(&self) -> Facts<'_> {
+    fn facts(&self) -> LawProperties<'_> {
         const SAME: &str = "all rays from a point follow the same curve";
-        Facts {
+        LawProperties {
             order: Order::General,
             carries_time: true,
             closed_form: Some(&FORM),
@@ -180,7 +180,7 @@ impl Law for Parametric {
             ignores_direction: Some(SAME),
             refuses_sent_light: Some(SAME),
             refuses_surfaces: Some("a parametric ray has no direction in which it could leave a surface"),
-            ..Facts::default()
+            ..LawProperties::default()
         }
     }
 

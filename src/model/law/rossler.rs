@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use super::flow::{FlowOrder, ORDER};
-use super::{Facts, Kind, Law};
+use super::{Kind, Law, LawProperties};
 use crate::document::keys;
 use crate::document::reader::TableReader;
 use crate::document::values::number;
@@ -43,7 +43,7 @@ impl Law for Rossler {
         vec![Binding::one("flow", self.row())]
     }
 
-    fn facts(&self) -> Facts<'_> {
+    fn facts(&self) -> LawProperties<'_> {
         self.order.facts()
     }
 }

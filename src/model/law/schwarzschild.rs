@@ -13,12 +13,12 @@ pub static KIND: Kind = Kind {
     keys: keys! {
         mass: "number above 0" = "1", "M, scene units (G = c = 1): the horizon is at r = 2M";
         center: "[x, y, z]" = "[0, 0, 0]", "position of the black hole";
-        form: "path | geodesic" = "path",
+        form: "orbit-equation | geodesic" = "orbit-equation",
             "integrated equation: the path alone, or the full geodesic with time";
         axis: "[x, y, z]" = "[0, 0, 1]", "axis of orbiting matter and observers, counterclockwise seen from its tip";
     },
     read: |table, _| {
-        let forms = &[("path", HoleForm::Path), ("geodesic", HoleForm::Geodesic)];
+        let forms = &[("orbit-equation", HoleForm::Path), ("geodesic", HoleForm::Geodesic)];
         Some(Arc::new(RoundHole {
             form: table.or("form", HoleForm::Path, word(forms)),
             axis: table.or("axis", DVec3::Z, direction),

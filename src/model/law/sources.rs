@@ -5,7 +5,9 @@ use std::sync::Arc;
 
 use glam::DVec3;
 
-use super::{CharacteristicSurface, Facts, Invariant, Kind, Law, Orbit, OrbitForm, Order, USUAL_PARTS, UsualSteps};
+use super::{
+    CharacteristicSurface, Invariant, Kind, Law, LawProperties, Orbit, OrbitForm, Order, USUAL_PARTS, UsualSteps,
+};
 use crate::document::keys;
 use crate::document::reader::TableReader;
 use crate::document::values::{choice, not_negative, not_zero, vector, word};
@@ -140,14 +142,14 @@ impl Law for Sources {
     }
 
     /// Rays pass close to a source, where steps of the orbit equation are as long as others and cost more.
-    fn facts(&self) -> Facts<'_> {
-        Facts {
+    fn facts(&self) -> LawProperties<'_> {
+        LawProperties {
             usual_steps: UsualSteps::Tolerant,
             terms: self.0.len() as u32,
             anchors: self.0.iter().map(|source| source.anchor).collect(),
             orbit: self.orbit(),
             refuses_interiors: Some(OWN_SPEED),
-            ..Facts::default()
+            ..LawProperties::default()
         }
     }
 
@@ -193,7 +195,7 @@ pub struct ByLength(pub Sources);
 
 impl Law for ByLength {
     fn parts(&self) -> Vec<Wgsl> {
-        let own = ["law/by_length", "law/held_nothing", "law/start_as_given", "law/projected_as_is"];
+        let own = ["law/by_length", "law/no_constant", "law/start_as_given", "law/projected_as_is"];
         [Wgsl::parts(&own), self.0.forces()].concat()
     }
 
@@ -201,8 +203,14 @@ impl Law for ByLength {
         self.0.values()
     }
 
-    fn facts(&self) -> Facts<'_> {
-        Facts { order: Order::General, by_length: true, usual_steps: UsualSteps::Orbit, orbit: None, ..self.0.facts() }
+    fn facts(&self) -> LawProperties<'_> {
+        LawProperties {
+            order: Order::General,
+            by_length: true,
+            usual_steps: UsualSteps::Orbit,
+            orbit: None,
+            ..self.0.facts()
+        }
     }
 
     fn captures(&self, clearance: Option<&dyn Fn(DVec3) -> f64>) -> Vec<Capture> {

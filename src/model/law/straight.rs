@@ -5,7 +5,7 @@ use std::sync::Arc;
 use glam::{DMat4, DVec3, DVec4};
 
 use super::observer::in_space;
-use super::{Facts, Invariant, Kind, Law, Observer, USUAL_PARTS};
+use super::{Invariant, Kind, Law, LawProperties, Observer, USUAL_PARTS};
 use crate::model::{STRAIGHT, Wgsl};
 
 pub static KIND: Kind = Kind { name: "straight", keys: &[], read: |_, _| Some(Arc::new(Straight)) };
@@ -19,13 +19,13 @@ impl Law for Straight {
         [Wgsl::parts(&USUAL_PARTS), Wgsl::parts(&["law/straight"])].concat()
     }
 
-    fn facts(&self) -> Facts<'_> {
-        Facts {
+    fn facts(&self) -> LawProperties<'_> {
+        LawProperties {
             closed_form: Some(&STRAIGHT),
             is_straight: true,
             keeps_time: true,
             momentum_parts: &["law/momentum/flat"],
-            ..Facts::default()
+            ..LawProperties::default()
         }
     }
 

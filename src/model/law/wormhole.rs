@@ -5,14 +5,14 @@
 //!
 //! *Practice.* Each side has coordinates around a separate mouth, x = R n̂ with R = ρ₀ + |l|. Both sides therefore use one coordinate
 //! system, objects on either side need no special treatment, and no ray has to store its side. Slightly below the throat is a surface from
-//! which rays continue. The scene places it around each mouth because of [`Facts::throat`], and has a bounding sphere around each.
+//! which rays continue. The scene places it around each mouth because of [`LawProperties::throat`], and has a bounding sphere around each.
 
 use std::sync::Arc;
 
 use glam::{DMat4, DVec3, DVec4};
 
 use super::observer::{in_space, spherical};
-use super::{Facts, Invariant, Kind, Law, Observer, Order, Throat};
+use super::{Invariant, Kind, Law, LawProperties, Observer, Order, Throat};
 use crate::document::keys;
 use crate::document::values::{not_negative, positive, vector};
 use crate::model::{Binding, Wgsl, row};
@@ -95,15 +95,15 @@ impl Law for Wormhole {
         vec![Binding::one("law", row)]
     }
 
-    fn facts(&self) -> Facts<'_> {
-        Facts {
+    fn facts(&self) -> LawProperties<'_> {
+        LawProperties {
             order: Order::General,
             keeps_time: true,
             throat: Some(self.joint()),
             momentum_parts: &["law/momentum/wormhole"],
             refuses_interiors: Some("near a wormhole, the speed of light in an interior is not defined"),
             refuses_sent_light: Some("light has more paths through a wormhole than bentray searches for"),
-            ..Facts::default()
+            ..LawProperties::default()
         }
     }
 

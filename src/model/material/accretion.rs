@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use glam::DVec3;
 
-use super::{Facts, Kind, Surface, pattern};
+use super::{Kind, Surface, SurfaceProperties, pattern};
 use crate::document::keys;
 use crate::document::values::{positive, positive_part};
 use crate::model::{Row, row};
@@ -40,12 +40,12 @@ pub struct Accretion {
 }
 
 impl Surface for Accretion {
-    fn facts(&self) -> Facts<'_> {
-        Facts {
+    fn facts(&self) -> SurfaceProperties<'_> {
+        SurfaceProperties {
             has_temperature: true,
             orbits: true,
             opacity: self.opacity,
-            ..Facts::ending("surface/material/accretion")
+            ..SurfaceProperties::ending("surface/material/accretion")
         }
     }
 

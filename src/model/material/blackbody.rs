@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use glam::DVec3;
 
-use super::{Facts, Kind, Surface, pattern};
+use super::{Kind, Surface, SurfaceProperties, pattern};
 use crate::document::keys;
 use crate::document::values::positive;
 use crate::model::{Row, black_body, row};
@@ -34,8 +34,8 @@ pub struct Blackbody {
 }
 
 impl Surface for Blackbody {
-    fn facts(&self) -> Facts<'_> {
-        Facts { has_temperature: true, ..Facts::ending("surface/material/blackbody") }
+    fn facts(&self) -> SurfaceProperties<'_> {
+        SurfaceProperties { has_temperature: true, ..SurfaceProperties::ending("surface/material/blackbody") }
     }
 
     fn values(&self) -> Row {

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use glam::DVec3;
 
-use super::{Facts, Kind, Surface, pattern};
+use super::{Kind, Surface, SurfaceProperties, pattern};
 use crate::document::keys;
 use crate::document::values::{boolean, color};
 use crate::model::{Row, row};
@@ -42,8 +42,8 @@ impl Default for Emissive {
 }
 
 impl Surface for Emissive {
-    fn facts(&self) -> Facts<'_> {
-        Facts { is_aimed_at: self.is_aimed_at, ..Facts::ending("surface/material/emissive") }
+    fn facts(&self) -> SurfaceProperties<'_> {
+        SurfaceProperties { is_aimed_at: self.is_aimed_at, ..SurfaceProperties::ending("surface/material/emissive") }
     }
 
     fn values(&self) -> Row {

@@ -4,11 +4,11 @@ use std::sync::Arc;
 
 use glam::DVec3;
 
-use super::{Facts, Kind, Surface, pattern};
+use super::{Kind, Surface, SurfaceProperties, pattern};
 use crate::assets::FanRay;
 use crate::document::keys;
 use crate::document::reader::TableReader;
-use crate::document::values::{Read, text};
+use crate::document::values::{Parsed, text};
 use crate::document::{Node, Value};
 
 pub static KIND: Kind = Kind {
@@ -52,7 +52,7 @@ fn ray(table: &TableReader, item: &Node) -> Option<FanRay> {
             return None;
         }
     };
-    let texts = nodes.iter().map(text).collect::<Read<Vec<&str>>>();
+    let texts = nodes.iter().map(text).collect::<Parsed<Vec<&str>>>();
     let texts: [&str; 4] = table.reader.accept(texts)?.try_into().ok()?;
     let read = FanRay::parse(texts).map_err(|wrong| {
         for (k, error) in wrong {
@@ -67,8 +67,8 @@ fn ray(table: &TableReader, item: &Node) -> Option<FanRay> {
 pub struct Fan(pub Vec<FanRay>);
 
 impl Surface for Fan {
-    fn facts(&self) -> Facts<'_> {
-        Facts { fan: Some(&self.0), ..Facts::scattering("surface/scatter/fan") }
+    fn facts(&self) -> SurfaceProperties<'_> {
+        SurfaceProperties { fan: Some(&self.0), ..SurfaceProperties::scattering("surface/scatter/fan") }
     }
 
     /// The weights are the user's responsibility.

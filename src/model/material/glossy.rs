@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use glam::DVec3;
 
-use super::{Facts, Kind, Surface, pattern};
+use super::{Kind, Surface, SurfaceProperties, pattern};
 use crate::document::keys;
 use crate::document::values::not_negative;
 use crate::model::{Row, row};
@@ -32,8 +32,8 @@ pub struct Glossy {
 }
 
 impl Surface for Glossy {
-    fn facts(&self) -> Facts<'_> {
-        Facts { has_lobe: true, ..Facts::scattering("surface/scatter/glossy") }
+    fn facts(&self) -> SurfaceProperties<'_> {
+        SurfaceProperties { has_lobe: true, ..SurfaceProperties::scattering("surface/scatter/glossy") }
     }
 
     fn values(&self) -> Row {

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use glam::DVec3;
 
-use super::{Facts, Kind, Surface, pattern};
+use super::{Kind, Surface, SurfaceProperties, pattern};
 use crate::document::keys;
 
 pub static KIND: Kind = Kind {
@@ -21,8 +21,8 @@ pub static KIND: Kind = Kind {
 pub struct Mirror;
 
 impl Surface for Mirror {
-    fn facts(&self) -> Facts<'_> {
-        Facts::scattering("surface/scatter/mirror")
+    fn facts(&self) -> SurfaceProperties<'_> {
+        SurfaceProperties::scattering("surface/scatter/mirror")
     }
 
     fn albedo(&self, color: DVec3) -> DVec3 {

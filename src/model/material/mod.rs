@@ -69,7 +69,7 @@ impl PartialEq for Material {
 /// The properties of a surface that do not depend on its color.
 #[derive(Debug, Clone)]
 #[allow(clippy::struct_excessive_bools)] // facts, each by itself
-pub struct Facts<'a> {
+pub struct SurfaceProperties<'a> {
     /// The path of the WGSL module; its last name is the suffix of the functions and, in capitals, of the code.
     pub part: &'static str,
     /// Is `true` if rays continue from the surface.
@@ -94,7 +94,7 @@ pub struct Facts<'a> {
     pub is_lit: bool,
 }
 
-impl Facts<'_> {
+impl SurfaceProperties<'_> {
     /// Returns the properties of a surface on which rays end, with this WGSL module.
     #[must_use]
     pub fn ending(part: &'static str) -> Self {
@@ -123,7 +123,7 @@ impl Facts<'_> {
 /// The behavior of a surface.
 pub trait Surface: fmt::Debug + Send + Sync + DynEq {
     /// Returns the properties that do not depend on the color.
-    fn facts(&self) -> Facts<'_>;
+    fn facts(&self) -> SurfaceProperties<'_>;
 
     /// Returns the members of `Material` that only this kind has.
     fn values(&self) -> Row {

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use glam::DVec3;
 
-use super::{Facts, Kind, Surface, pattern};
+use super::{Kind, Surface, SurfaceProperties, pattern};
 use crate::document::keys;
 use crate::document::values::{color, number_where, positive};
 use crate::model::{Row, row};
@@ -53,8 +53,12 @@ impl Default for Phong {
 }
 
 impl Surface for Phong {
-    fn facts(&self) -> Facts<'_> {
-        Facts { is_lit: true, is_glossy: self.specular != DVec3::ZERO, ..Facts::ending("surface/material/phong") }
+    fn facts(&self) -> SurfaceProperties<'_> {
+        SurfaceProperties {
+            is_lit: true,
+            is_glossy: self.specular != DVec3::ZERO,
+            ..SurfaceProperties::ending("surface/material/phong")
+        }
     }
 
     fn values(&self) -> Row {

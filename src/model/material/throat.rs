@@ -2,15 +2,15 @@
 
 use glam::DVec3;
 
-use super::{Facts, Surface};
+use super::{Surface, SurfaceProperties};
 
 /// A surface that moves rays to the other mouth.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Throat;
 
 impl Surface for Throat {
-    fn facts(&self) -> Facts<'_> {
-        Facts { deflects: false, ..Facts::scattering("surface/scatter/throat") }
+    fn facts(&self) -> SurfaceProperties<'_> {
+        SurfaceProperties { deflects: false, ..SurfaceProperties::scattering("surface/scatter/throat") }
     }
 
     fn albedo(&self, _: DVec3) -> DVec3 {

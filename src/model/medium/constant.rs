@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use glam::DVec3;
 
-use super::{Facts, Kind, Medium};
+use super::{Kind, Medium, MediumProperties};
 use crate::document::keys;
 use crate::document::reader::TableReader;
 use crate::document::values::positive;
@@ -40,8 +40,8 @@ fields! {
 }
 
 impl Medium for Constant {
-    fn facts(&self) -> Facts<'_> {
-        Facts { closed_form: Some(&STRAIGHT), ..Facts::of(&["medium/constant"]) }
+    fn facts(&self) -> MediumProperties<'_> {
+        MediumProperties { closed_form: Some(&STRAIGHT), ..MediumProperties::of(&["medium/constant"]) }
     }
 
     fn values(&self, _: u32) -> Row {

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use glam::DVec3;
 
-use super::{CENTER, Facts, Kind, Medium, RADIUS, Surroundings, center, length, root};
+use super::{CENTER, Kind, Medium, MediumProperties, RADIUS, Surroundings, center, length, root};
 use crate::document::reader::TableReader;
 use crate::model::{Row, fields};
 
@@ -25,8 +25,8 @@ fields! {
 }
 
 impl Medium for Eaton {
-    fn facts(&self) -> Facts<'_> {
-        Facts { edge: Some((self.center, self.radius)), ..Facts::of(&["medium/eaton"]) }
+    fn facts(&self) -> MediumProperties<'_> {
+        MediumProperties { edge: Some((self.center, self.radius)), ..MediumProperties::of(&["medium/eaton"]) }
     }
 
     fn values(&self, _: u32) -> Row {

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use glam::DVec3;
 
 use super::noise::{FREQUENCY, OCTAVES, SEED};
-use super::{CENTER, Facts, Kind, Medium, RADIUS, Surroundings, center, length};
+use super::{CENTER, Kind, Medium, MediumProperties, RADIUS, Surroundings, center, length};
 use crate::document::keys;
 use crate::document::reader::TableReader;
 use crate::document::values::{number_where, positive, whole};
@@ -45,11 +45,11 @@ fields! {
 }
 
 impl Medium for Explosion {
-    fn facts(&self) -> Facts<'_> {
-        Facts {
+    fn facts(&self) -> MediumProperties<'_> {
+        MediumProperties {
             edge: Some((self.center, self.radius)),
             terms: self.octaves,
-            ..Facts::of(&["medium/explosion", "medium/fractal_noise"])
+            ..MediumProperties::of(&["medium/explosion", "medium/fractal_noise"])
         }
     }
 

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use glam::DVec3;
 
-use super::{Facts, Kind, Medium, ORIGIN, Surroundings, UP, origin, up};
+use super::{Kind, Medium, MediumProperties, ORIGIN, Surroundings, UP, origin, up};
 use crate::document::keys;
 use crate::document::reader::TableReader;
 use crate::document::values::{number_where, positive};
@@ -36,8 +36,8 @@ fields! {
 }
 
 impl Medium for Exponential {
-    fn facts(&self) -> Facts<'_> {
-        Facts::of(&["medium/exponential"])
+    fn facts(&self) -> MediumProperties<'_> {
+        MediumProperties::of(&["medium/exponential"])
     }
 
     fn values(&self, _: u32) -> Row {

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use glam::DVec3;
 
-use super::{Facts, Kind, Medium, Surroundings, center};
+use super::{Kind, Medium, MediumProperties, Surroundings, center};
 use crate::assets::Formula;
 use crate::document::reader::TableReader;
 use crate::document::values::{positive, text};
@@ -58,8 +58,11 @@ fn formula(table: &TableReader, node: &Node) -> Option<Formula> {
 }
 
 impl Medium for Expression {
-    fn facts(&self) -> Facts<'_> {
-        Facts { formula: Some(&self.n), ..Facts::of(&["medium/expression", "medium/formula", "medium/finite"]) }
+    fn facts(&self) -> MediumProperties<'_> {
+        MediumProperties {
+            formula: Some(&self.n),
+            ..MediumProperties::of(&["medium/expression", "medium/formula", "medium/finite"])
+        }
     }
 
     fn values(&self, _: u32) -> Row {

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use glam::DVec3;
 
-use super::{CENTER, Facts, Kind, Medium, Surroundings, center, length};
+use super::{CENTER, Kind, Medium, MediumProperties, Surroundings, center, length};
 use crate::document::keys;
 use crate::document::reader::TableReader;
 use crate::document::values::positive;
@@ -33,8 +33,12 @@ fields! {
 }
 
 impl Medium for Fisheye {
-    fn facts(&self) -> Facts<'_> {
-        Facts { closed_form: Some(&CIRCLE), center: Some(self.center), ..Facts::of(&["medium/fisheye"]) }
+    fn facts(&self) -> MediumProperties<'_> {
+        MediumProperties {
+            closed_form: Some(&CIRCLE),
+            center: Some(self.center),
+            ..MediumProperties::of(&["medium/fisheye"])
+        }
     }
 
     fn values(&self, _: u32) -> Row {

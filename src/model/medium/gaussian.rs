@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use glam::DVec3;
 
-use super::{CENTER, Facts, Kind, Medium, RADIUS, Surroundings, center, length};
+use super::{CENTER, Kind, Medium, MediumProperties, RADIUS, Surroundings, center, length};
 use crate::document::keys;
 use crate::document::reader::TableReader;
 use crate::document::values::{number, positive};
@@ -36,8 +36,8 @@ fields! {
 }
 
 impl Medium for Gaussian {
-    fn facts(&self) -> Facts<'_> {
-        Facts { edge: Some((self.center, self.radius)), ..Facts::of(&["medium/gaussian"]) }
+    fn facts(&self) -> MediumProperties<'_> {
+        MediumProperties { edge: Some((self.center, self.radius)), ..MediumProperties::of(&["medium/gaussian"]) }
     }
 
     fn values(&self, _: u32) -> Row {

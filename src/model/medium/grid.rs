@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use glam::DVec3;
 
-use super::{Facts, Kind, Medium};
+use super::{Kind, Medium, MediumProperties};
 use crate::assets::{Files, GridUse, IndexGrid, RawGridLayout, Stored};
 use crate::document::keys;
 use crate::document::reader::TableReader;
@@ -78,8 +78,12 @@ fn corners_fit(table: &TableReader, min: Option<DVec3>, max: Option<DVec3>) -> b
 pub struct Grid(pub Arc<IndexGrid>);
 
 impl Medium for Grid {
-    fn facts(&self) -> Facts<'_> {
-        Facts { terms: 16, samples: &self.0.samples, ..Facts::of(&["medium/grid", "medium/finite"]) }
+    fn facts(&self) -> MediumProperties<'_> {
+        MediumProperties {
+            terms: 16,
+            samples: &self.0.samples,
+            ..MediumProperties::of(&["medium/grid", "medium/finite"])
+        }
     }
 
     fn values(&self, first: u32) -> Row {

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use glam::DVec3;
 
-use super::{CENTER, Facts, Kind, Medium, Surroundings, center, length};
+use super::{CENTER, Kind, Medium, MediumProperties, Surroundings, center, length};
 use crate::document::keys;
 use crate::document::reader::TableReader;
 use crate::document::values::word;
@@ -52,13 +52,13 @@ impl InverseR {
 }
 
 impl Medium for InverseR {
-    fn facts(&self) -> Facts<'_> {
+    fn facts(&self) -> MediumProperties<'_> {
         let capture = Capture { anchor: Anchor::center(self.center), radius: self.capture_radius() };
-        Facts {
+        MediumProperties {
             closed_form: Some(&SPIRAL),
             center: Some(self.center),
             capture: Some(capture),
-            ..Facts::of(&["medium/inverse_r"])
+            ..MediumProperties::of(&["medium/inverse_r"])
         }
     }
 

@@ -4,9 +4,9 @@ use std::sync::Arc;
 
 use glam::DVec3;
 
-use super::{Facts, Kind, Medium, ORIGIN, Surroundings, origin, root};
+use super::{Kind, Medium, MediumProperties, ORIGIN, Surroundings, origin, root};
 use crate::document::reader::TableReader;
-use crate::document::values::{Read, positive, vector};
+use crate::document::values::{Parsed, positive, vector};
 use crate::document::{Node, keys};
 use crate::model::{PARABOLA, Row, fields};
 
@@ -33,15 +33,15 @@ fields! {
 }
 
 /// Reads a gradient that is not zero, because the index would otherwise be constant.
-fn gradient(node: &Node) -> Read<DVec3> {
+fn gradient(node: &Node) -> Parsed<DVec3> {
     let gradient = vector(node)?;
     let none = || Err(node.fault("without a gradient, the index is constant", "use kind = \"constant\""));
     if gradient == DVec3::ZERO { none() } else { Ok(gradient) }
 }
 
 impl Medium for Linear {
-    fn facts(&self) -> Facts<'_> {
-        Facts { closed_form: Some(&PARABOLA), ..Facts::of(&["medium/linear"]) }
+    fn facts(&self) -> MediumProperties<'_> {
+        MediumProperties { closed_form: Some(&PARABOLA), ..MediumProperties::of(&["medium/linear"]) }
     }
 
     fn values(&self, _: u32) -> Row {

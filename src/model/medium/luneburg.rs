@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use glam::DVec3;
 
-use super::{CENTER, Facts, Kind, Medium, RADIUS, Surroundings, center, length, root};
+use super::{CENTER, Kind, Medium, MediumProperties, RADIUS, Surroundings, center, length, root};
 use crate::document::keys;
 use crate::document::reader::TableReader;
 use crate::document::values::number_where;
@@ -29,12 +29,12 @@ fields! {
 }
 
 impl Medium for Luneburg {
-    fn facts(&self) -> Facts<'_> {
-        Facts {
+    fn facts(&self) -> MediumProperties<'_> {
+        MediumProperties {
             closed_form: Some(&HARMONIC),
             center: Some(self.center),
             edge: Some((self.center, self.radius)),
-            ..Facts::of(&["medium/luneburg"])
+            ..MediumProperties::of(&["medium/luneburg"])
         }
     }
 

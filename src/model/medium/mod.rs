@@ -30,7 +30,7 @@ use std::sync::Arc;
 use glam::DVec3;
 
 use super::dyn_eq::same;
-use super::{Capture, ClosedForm, DynEq, Filter, Row, Wgsl, absorption};
+use super::{Absorption, Capture, ClosedForm, DynEq, Row, Wgsl, absorption};
 use crate::assets::{Files, Formula};
 use crate::document::reader::TableReader;
 use crate::document::values::{direction, positive, suggest, vector};
@@ -93,7 +93,7 @@ pub const VACUUM: Constant = Constant { n: 1.0 };
 
 /// The properties of a medium that do not depend on position.
 #[derive(Debug, Clone, Default)]
-pub struct Facts<'a> {
+pub struct MediumProperties<'a> {
     /// The WGSL modules that implement the contract.
     pub parts: Vec<Wgsl>,
     /// The closed form of the paths, if there is one.
@@ -116,7 +116,7 @@ pub struct Facts<'a> {
     pub samples: &'a [f32],
 }
 
-impl Facts<'_> {
+impl MediumProperties<'_> {
     /// Returns the properties of a medium without a closed form, with these modules of `shaders/`.
     #[must_use]
     pub fn of(parts: &[&'static str]) -> Self {
@@ -139,7 +139,7 @@ impl Facts<'_> {
 /// An index of refraction over space, in scene coordinates. Spherical media depend on r, the distance from their center.
 pub trait Medium: fmt::Debug + Send + Sync + DynEq {
     /// Returns the properties that do not depend on position.
-    fn facts(&self) -> Facts<'_>;
+    fn facts(&self) -> MediumProperties<'_>;
 
     /// Returns the members of its `Medium` in WGSL. `first` is the index of its first element in lists shared by all media.
     fn values(&self, first: u32) -> Row;
@@ -168,7 +168,7 @@ pub struct Interior {
     /// The medium.
     pub medium: Arc<dyn Medium>,
     /// The absorption and emission.
-    pub filter: Option<Box<Filter>>,
+    pub absorption: Option<Box<Absorption>>,
     /// The roughness of the surface.
     pub gloss: Gloss,
     /// The priority; where interiors overlap, the one with the higher priority wins.
@@ -179,14 +179,14 @@ impl Interior {
     /// Creates an interior from a medium alone.
     #[must_use]
     pub fn new(medium: Arc<dyn Medium>) -> Self {
-        Self { medium, filter: None, gloss: Gloss::default(), priority: 0 }
+        Self { medium, absorption: None, gloss: Gloss::default(), priority: 0 }
     }
 }
 
 impl PartialEq for Interior {
     fn eq(&self, other: &Self) -> bool {
         *self.medium == *other.medium
-            && self.filter == other.filter
+            && self.absorption == other.absorption
             && self.gloss == other.gloss
             && self.priority == other.priority
     }
@@ -272,14 +272,14 @@ pub(crate) fn read_interior(
     }
     let table = parent.reader.open("medium", node)?;
     let medium = KINDS.chosen(&table).and_then(|read| read(&table, around, files));
-    let filter = table.node("absorption").map(|node| absorption::read(&table, node, around.center, files));
+    let absorption = table.node("absorption").map(|node| absorption::read(&table, node, around.center, files));
     let gloss = gloss::read(&table);
     table.finish();
-    let filter = match filter {
-        Some(filter) => Some(Box::new(filter?)),
+    let absorption = match absorption {
+        Some(absorption) => Some(Box::new(absorption?)),
         None => None,
     };
-    Some(Interior { filter, gloss, ..Interior::new(medium?) })
+    Some(Interior { absorption, gloss, ..Interior::new(medium?) })
 }
 
 /// Reads a medium without a table: a number or a name.

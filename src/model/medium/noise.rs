@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use glam::DVec3;
 
-use super::{CENTER, Facts, Kind, Medium, Surroundings, center};
+use super::{CENTER, Kind, Medium, MediumProperties, Surroundings, center};
 use crate::document::reader::TableReader;
 use crate::document::values::{number, positive, whole};
 use crate::document::{Key, keys};
@@ -80,13 +80,13 @@ impl Noise {
     }
 
     /// Returns its properties with this module; the cost is four layers of lattice points per octave.
-    pub(super) fn facts_by(&self, part: &'static str) -> Facts<'_> {
-        Facts { terms: 5 * self.octaves, ..Facts::of(&[part, "medium/fractal_noise"]) }
+    pub(super) fn facts_by(&self, part: &'static str) -> MediumProperties<'_> {
+        MediumProperties { terms: 5 * self.octaves, ..MediumProperties::of(&[part, "medium/fractal_noise"]) }
     }
 }
 
 impl Medium for Noise {
-    fn facts(&self) -> Facts<'_> {
+    fn facts(&self) -> MediumProperties<'_> {
         self.facts_by("medium/noise")
     }
 

@@ -4,10 +4,10 @@ use std::sync::Arc;
 
 use glam::DVec3;
 
-use super::{Facts, Kind, Medium, ORIGIN, Surroundings, UP, origin, up};
+use super::{Kind, Medium, MediumProperties, ORIGIN, Surroundings, UP, origin, up};
 use crate::assets::{Files, Profile, ProfileError, ProfilePoint};
 use crate::document::reader::TableReader;
-use crate::document::values::{Read, array, number};
+use crate::document::values::{Parsed, array, number};
 use crate::document::{Node, Value, keys};
 use crate::model::{Row, fields, row};
 
@@ -50,7 +50,7 @@ fn profile(table: &TableReader, files: &mut Files) -> Option<Arc<Profile>> {
 }
 
 /// Reads a height and a positive n.
-fn point(node: &Node) -> Read<[f64; 2]> {
+fn point(node: &Node) -> Parsed<[f64; 2]> {
     let point @ [_, n] = array("a point, [height, n]", number)(node)?;
     if n > 0.0 { Ok(point) } else { Err(node.fault(format!("n must be above 0, found {n}"), "")) }
 }
@@ -69,9 +69,9 @@ fields! {
 
 impl Medium for Layers {
     /// Bisection finds the point below a height.
-    fn facts(&self) -> Facts<'_> {
+    fn facts(&self) -> MediumProperties<'_> {
         let terms = self.profile.points.len().next_power_of_two().ilog2();
-        Facts { terms, ..Facts::of(&["medium/profile"]) }
+        MediumProperties { terms, ..MediumProperties::of(&["medium/profile"]) }
     }
 
     fn values(&self, first: u32) -> Row {

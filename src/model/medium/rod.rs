@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use glam::DVec3;
 
-use super::{CENTER, Facts, Kind, Medium, Surroundings, center, root};
+use super::{CENTER, Kind, Medium, MediumProperties, Surroundings, center, root};
 use crate::document::reader::TableReader;
 use crate::document::values::{direction, positive};
 use crate::document::{Key, keys};
@@ -39,8 +39,8 @@ fields! {
 }
 
 impl Medium for Rod {
-    fn facts(&self) -> Facts<'_> {
-        Facts { closed_form: Some(&HARMONIC), ..Facts::of(&["medium/rod"]) }
+    fn facts(&self) -> MediumProperties<'_> {
+        MediumProperties { closed_form: Some(&HARMONIC), ..MediumProperties::of(&["medium/rod"]) }
     }
 
     fn values(&self, _: u32) -> Row {

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use glam::DVec3;
 
 use super::rod::N0;
-use super::{Facts, Kind, Medium, ORIGIN, Surroundings, UP, origin, up};
+use super::{Kind, Medium, MediumProperties, ORIGIN, Surroundings, UP, origin, up};
 use crate::document::keys;
 use crate::document::reader::TableReader;
 use crate::document::values::positive;
@@ -32,8 +32,8 @@ fields! {
 }
 
 impl Medium for Sech {
-    fn facts(&self) -> Facts<'_> {
-        Facts::of(&["medium/sech"])
+    fn facts(&self) -> MediumProperties<'_> {
+        MediumProperties::of(&["medium/sech"])
     }
 
     fn values(&self, _: u32) -> Row {

@@ -5,11 +5,11 @@ use std::sync::Arc;
 
 use glam::{DVec3, DVec4};
 
-use super::{Facts, Kind, Medium};
+use super::{Kind, Medium, MediumProperties};
 use crate::document::Node;
 use crate::document::keys;
 use crate::document::reader::TableReader;
-use crate::document::values::{Read, list, number, word};
+use crate::document::values::{Parsed, list, number, word};
 use crate::model::{Row, STRAIGHT, row};
 
 pub static KIND: Kind = Kind {
@@ -85,7 +85,7 @@ fn square_micrometres(wavelength: f64) -> f64 {
     (1e-3 * wavelength).powi(2)
 }
 
-fn terms(node: &Node) -> Read<Vec<f64>> {
+fn terms(node: &Node) -> Parsed<Vec<f64>> {
     list("1 to 4 numbers", 1..=TERMS, number)(node)
 }
 
@@ -135,8 +135,12 @@ fn read(table: &TableReader) -> Option<Sellmeier> {
 }
 
 impl Medium for Sellmeier {
-    fn facts(&self) -> Facts<'_> {
-        Facts { closed_form: Some(&STRAIGHT), is_dispersive: true, ..Facts::of(&["medium/sellmeier"]) }
+    fn facts(&self) -> MediumProperties<'_> {
+        MediumProperties {
+            closed_form: Some(&STRAIGHT),
+            is_dispersive: true,
+            ..MediumProperties::of(&["medium/sellmeier"])
+        }
     }
 
     fn values(&self, _: u32) -> Row {

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use glam::DVec3;
 
 use super::noise::{AMPLITUDE, FREQUENCY, Noise, OCTAVES, SEED};
-use super::{CENTER, Facts, Kind, Medium, constant};
+use super::{CENTER, Kind, Medium, MediumProperties, constant};
 use crate::document::values::positive;
 use crate::model::{Row, STRAIGHT};
 
@@ -24,8 +24,8 @@ pub static KIND: Kind = Kind {
 pub struct Textured(pub Noise);
 
 impl Medium for Textured {
-    fn facts(&self) -> Facts<'_> {
-        Facts { closed_form: Some(&STRAIGHT), is_of_surfaces: true, ..self.0.facts_by("medium/textured") }
+    fn facts(&self) -> MediumProperties<'_> {
+        MediumProperties { closed_form: Some(&STRAIGHT), is_of_surfaces: true, ..self.0.facts_by("medium/textured") }
     }
 
     fn values(&self, first: u32) -> Row {

@@ -5,8 +5,8 @@ use std::sync::Arc;
 use glam::{DAffine3, DVec3};
 
 use super::{Contact, Kind, Primitive, Shape};
-use crate::assets::{Mesh, MeshRequest, NodeName, Part, Transform};
-use crate::document::values::{Read, number_where, whole};
+use crate::assets::{Mesh, MeshPart, MeshRequest, NodeName, Transform};
+use crate::document::values::{Parsed, number_where, whole};
 use crate::document::{Node, Value, keys};
 use crate::model::cross_section::{LocalPlane, Outline, mesh};
 use crate::model::medium::Surroundings;
@@ -27,7 +27,7 @@ pub static KIND: Kind = Kind {
         let crease = table.or("crease", MeshRequest::CREASE, angle);
         let node = table.optional("node", node_name);
         let primitive = table.optional("primitive", whole(0..=u32::MAX));
-        let wanted = MeshRequest { crease, part: Part { node, primitive } };
+        let wanted = MeshRequest { crease, part: MeshPart { node, primitive } };
         let part = ["node", "primitive"].into_iter().find_map(|key| table.node(key));
         let (mesh, place) = files.mesh(table.reader, file?, part.unwrap_or(file?), &wanted)?;
         Some((Arc::new(Triangles(mesh)), place))
@@ -41,7 +41,7 @@ pub static SOLID: Primitive = Primitive { name: "triangle", lists: None };
 pub struct Triangles(pub Arc<Mesh>);
 
 /// Reads the name or index of a node.
-fn node_name(node: &Node) -> Read<NodeName> {
+fn node_name(node: &Node) -> Parsed<NodeName> {
     match &node.value {
         Value::Text(name) => Ok(NodeName::Name(name.clone())),
         _ => whole(0..=u32::MAX)(node).map(NodeName::Number),

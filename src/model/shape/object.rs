@@ -41,7 +41,7 @@ pub enum Substance {
     /// A surface material: the index into [`Scene::materials`](crate::scene::Scene::materials).
     Opaque(usize),
     /// A transparent medium.
-    Clear(Interior),
+    TransparentShadows(Interior),
 }
 
 impl Object {
@@ -67,7 +67,7 @@ impl Object {
     pub fn material(&self) -> Option<usize> {
         match self.substance {
             Substance::Opaque(material) => Some(material),
-            Substance::Clear(_) => None,
+            Substance::TransparentShadows(_) => None,
         }
     }
 
@@ -76,7 +76,7 @@ impl Object {
     pub fn interior(&self) -> Option<&Interior> {
         match &self.substance {
             Substance::Opaque(_) => None,
-            Substance::Clear(interior) => Some(interior),
+            Substance::TransparentShadows(interior) => Some(interior),
         }
     }
 
@@ -116,7 +116,7 @@ impl Object {
     /// Returns the signed distance of a point of the scene from the surface to first order, in scene units and negative inside, or `None`
     /// for meshes and shapes without an inside. It is exact for spheres, inside boxes, and inside circular cylinders.
     #[must_use]
-    pub fn gap(&self, x: DVec3) -> Option<f64> {
+    pub fn signed_distance(&self, x: DVec3) -> Option<f64> {
         let inverse = self.transform.0.inverse();
         let to_scene = inverse.matrix3.transpose();
         let faces = self.shape.faces(inverse.transform_point3(x));

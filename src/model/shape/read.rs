@@ -5,7 +5,7 @@ use glam::{DAffine3, DQuat, DVec3};
 use super::{KINDS, Object, Shape, Substance, ball, rigid_motion, round_up};
 use crate::assets::{Files, Transform};
 use crate::document::reader::TableReader;
-use crate::document::values::{Read, direction, extents, positive, suggest, text, vector, whole};
+use crate::document::values::{Parsed, direction, extents, positive, suggest, text, vector, whole};
 use crate::document::{Node, Span, Value};
 use crate::model::medium::{self, Interior, Surroundings};
 use crate::model::{Law, Material};
@@ -88,7 +88,7 @@ fn substance(
     if let Some(problem) = object.and_then(|(shape, _)| shape.refuses_interior()) {
         table.fault(&["interior"], problem, "set `material`, or use another shape, such as a closed mesh");
     }
-    interior.map(|interior| Substance::Clear(Interior { priority, ..interior }))
+    interior.map(|interior| Substance::TransparentShadows(Interior { priority, ..interior }))
 }
 
 /// Reports a material with vertex colors on an object without them.
@@ -107,7 +107,7 @@ fn check_vertex_colors(table: &TableReader, shape: &dyn Shape, name: &str, mater
     }
 }
 
-fn material(node: &Node, materials: &[&str]) -> Read<usize> {
+fn material(node: &Node, materials: &[&str]) -> Parsed<usize> {
     let name = text(node)?;
     let unknown = || match materials {
         [] => node.fault(format!("unknown material `{name}`"), format!("add [materials.{name}]")),

@@ -2,7 +2,7 @@
 
 use super::Features;
 use crate::model::StereoLayout;
-use crate::program::{Layer, Purpose, RaySkipping, Schedule, Unit};
+use crate::program::{Layer, Mode, RaySkipping, Schedule, Unit};
 
 /// Pairs each field with its name.
 macro_rules! named {
@@ -14,7 +14,7 @@ impl Features {
     #[must_use]
     pub fn constants(&self) -> Vec<(String, bool)> {
         let plain = named!(self;
-            splits has_rough_glass has_regions has_sided_mesh has_objects touches filters filters_jump sees_glow
+            splits has_rough_glass has_regions has_sided_mesh has_objects touches absorbs absorption_jumps sees_glow
             follows_paths in_pieces aims clamps draws_wavelength falls grids_fall grids_all_fall
             is_occluded occludes_along_law looks_from_surfaces follows_lines all_cast shuts_out weakens_lines
             is_limited compensates_tau keeps_taken keeps_w keeps_last_hit has_leaps suspends items_in_order has_chords writes_chords_out ends_with_steps rejects keeps_errors captures_by_formula has_structure is_glossy captures is_extreme is_asymptotic is_plane is_about_center keeps_last carries_time by_length turns_with_camera travels has_throat joins_whole
@@ -24,11 +24,11 @@ impl Features {
         let derived = [
             ("leaves_surfaces", self.looks_from_surfaces || self.shoots || self.follows_paths),
             ("looks_for_light", self.looks_from_surfaces || self.shoots),
-            ("leaves_light", self.purpose.leaves_light()),
-            ("finds_caustics", self.purpose == Purpose::Caustics),
-            ("is_given", self.purpose.is_given()),
-            ("chooses_pixels", self.purpose == Purpose::Pixels),
-            ("draws", self.is_picture() || self.purpose.leaves_light()),
+            ("leaves_light", self.mode.leaves_light()),
+            ("finds_caustics", self.mode == Mode::Caustics),
+            ("is_given", self.mode.is_given()),
+            ("chooses_pixels", self.mode == Mode::Pixels),
+            ("draws", self.is_picture() || self.mode.leaves_light()),
             ("carries_light", self.follows_paths || self.sees_glow),
             ("colors_dispersed", self.disperses && self.follows_paths),
             ("filters_images", self.keeps_footprints && self.has_images),
@@ -66,7 +66,7 @@ mod tests {
 
     use super::*;
     use crate::program::tokens::Tokens;
-    use crate::program::{Analysis, Choice, all_parts};
+    use crate::program::{Analysis, ProgramOptions, all_parts};
     use crate::scene::Scene;
 
     /// Constants that are generated elsewhere: for a kind of region, for obstacles and for the sources of forces.
@@ -76,7 +76,7 @@ mod tests {
     fn parts_ask_for_every_constant_and_for_no_other() {
         let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("scenes/black_hole.toml");
         let scene = Scene::load(&path, &[]).unwrap();
-        let constants = Features::of(&scene, &Choice::default(), &Analysis::of(&scene)).constants();
+        let constants = Features::of(&scene, &ProgramOptions::default(), &Analysis::of(&scene)).constants();
         let known: BTreeSet<String> =
             constants.into_iter().map(|(name, _)| name).chain(OTHERS.map(str::to_owned)).collect();
         let mut asked = BTreeSet::new();

@@ -7,17 +7,17 @@ mod constants;
 use glam::DVec3;
 
 use super::regions::{RegionKind, Regions};
-use super::{Analysis, Choice, DeviceProfile, Layer, Pass, Purpose, RaySkipping, Schedule};
+use super::{Analysis, DeviceProfile, Layer, Mode, Pass, ProgramOptions, RaySkipping, Schedule};
 use crate::model::method::Path;
-use crate::model::{Capture, Filter, StereoLayout};
-use crate::scene::{Animation, Branches, Light, Precision, Scene, Segment, Shadows, Sky, Tonemap};
+use crate::model::{Absorption, Capture, StereoLayout};
+use crate::scene::{Animation, Light, Precision, Scene, Segment, Shadows, Sky, Splitting, Tonemap};
 
 /// All properties of a scene and its output that determine the modules of its program and the passes that run it.
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
 #[expect(clippy::struct_excessive_bools, reason = "each is a separate question")]
 pub struct Features {
     /// The origin of the rays and the use of their results.
-    pub purpose: Purpose,
+    pub mode: Mode,
     /// The schedule: the requested one, or `Fused` if the scene's paths do not fit into one pass.
     pub schedule: Schedule,
     /// The way in which terminated rays are skipped.
@@ -52,9 +52,9 @@ pub struct Features {
     /// The refractive index of some medium depends on the wavelength.
     pub disperses: bool,
     /// Media absorb light along rays.
-    pub filters: bool,
+    pub absorbs: bool,
     /// Some medium absorbs light by a texture with jumps.
-    pub filters_jump: bool,
+    pub absorption_jumps: bool,
     /// Some medium emits light into rays.
     pub sees_glow: bool,
 
@@ -189,17 +189,17 @@ pub struct Features {
 }
 
 impl Features {
-    /// Determines the features of `scene`, rendered with `choice`.
+    /// Determines the features of `scene`, rendered with `options`.
     #[must_use]
-    pub fn of(scene: &Scene, choice: &Choice, Analysis { regions, structure }: &Analysis) -> Self {
-        let Choice { purpose, masks, layers, device, .. } = choice.clone();
-        let is_picture = purpose == Purpose::Picture;
+    pub fn of(scene: &Scene, options: &ProgramOptions, Analysis { regions, structure }: &Analysis) -> Self {
+        let ProgramOptions { mode, masks, layers, device, .. } = options.clone();
+        let is_picture = mode == Mode::Picture;
         let facts = scene.law.facts();
         let rounds = rounds(scene, is_picture);
         let shoots = scene.has_shadows(Shadows::Shooting);
         // A whole path fits into one pass if a sample follows one path, and the state need not be rounded between segments.
         let fits = is_picture && rounds == 1 && scene.rays.precision != Precision::Half && !shoots;
-        let schedule = if choice.schedule == Schedule::Whole && !fits { Schedule::Fused } else { choice.schedule };
+        let schedule = if options.schedule == Schedule::Whole && !fits { Schedule::Fused } else { options.schedule };
         let camera = scene.camera.as_ref();
         let grids = || scene.lights.iter().filter(|light| light.shadows == Shadows::Grid);
         let beams = is_picture && camera.is_some_and(|camera| camera.redshift);
@@ -209,7 +209,7 @@ impl Features {
         let ends_with_steps = ends_with_steps(scene);
         let (is_occluded, follows_lines) = (scene.is_occluded(), scene.lines().next().is_some());
         Self {
-            purpose,
+            mode,
             schedule,
             masks,
             device,
@@ -235,20 +235,20 @@ impl Features {
             has_regions: !regions.regions.is_empty(),
             touches: regions.touching.count() > 0,
             disperses: scene.disperses(),
-            filters: (is_picture || purpose.leaves_light()) && scene.filters().next().is_some(),
-            filters_jump: scene.filters().any(Filter::jumps),
-            sees_glow: is_picture && scene.filters().any(|filter| filter.glow != DVec3::ZERO),
+            absorbs: (is_picture || mode.leaves_light()) && scene.absorptions().next().is_some(),
+            absorption_jumps: scene.absorptions().any(Absorption::jumps),
+            sees_glow: is_picture && scene.absorptions().any(|filter| filter.emission != DVec3::ZERO),
 
             follows_paths,
             in_pieces: follows_paths && !joins_whole,
             aims: follows_paths && !scene.aims().is_empty(),
             clamps: follows_paths && scene.output.clamp.is_some(),
-            draws_wavelength: scene.disperses() && (follows_paths || purpose == Purpose::Caustics),
+            draws_wavelength: scene.disperses() && (follows_paths || mode == Mode::Caustics),
             is_lit: scene.is_lit(),
             falls: scene.lights.iter().any(|light| light.falls),
             grids_fall: grids().any(Light::falls_in_grid),
             grids_all_fall: grids().all(Light::falls_in_grid),
-            shoots: shoots || purpose == Purpose::Lit,
+            shoots: shoots || mode == Mode::Lit,
             is_occluded,
             occludes_along_law: is_occluded && scene.occlusion.is_some_and(|occlusion| occlusion.along_law),
             follows_lines,
@@ -269,7 +269,7 @@ impl Features {
             is_about_center: is_about_center(scene),
             ends_with_steps,
             keeps_last: ends_with_steps && !scene.rays.segment.has_chords() && schedule == Schedule::Whole,
-            below_part: below_part(scene, purpose, facts.below),
+            below_part: below_part(scene, mode, facts.below),
             carries_time: facts.carries_time,
             by_length: facts.by_length,
             turns_with_camera: facts.curve().is_some_and(|curve| curve.turned.is_some()),
@@ -282,7 +282,7 @@ impl Features {
             has_images: !scene.pictures.is_empty(),
             has_vertex_colors: scene.uses_vertex_colors(),
             is_transparent: scene.is_transparent(),
-            enumerates: is_picture && scene.scatters() && matches!(scene.rays.max_splits, Branches::Enumerated(_)),
+            enumerates: is_picture && scene.scatters() && matches!(scene.rays.max_splits, Splitting::Enumerated(_)),
             views: camera.and_then(|camera| Some(camera.stereo?.layout)),
             adapts: is_picture && scene.image.adaptive.is_some(),
             is_filmic: scene.output.tonemap == Tonemap::Filmic,
@@ -302,7 +302,7 @@ impl Features {
     /// Returns `true` if the program renders an image.
     #[must_use]
     pub fn is_picture(&self) -> bool {
-        self.purpose == Purpose::Picture
+        self.mode == Mode::Picture
     }
 
     /// Returns `true` if later rounds and samples process only the pixels that have a path left or need more samples.
@@ -320,15 +320,15 @@ impl Features {
     /// Returns `true` if the program stores the step counts of each ray.
     #[must_use]
     pub fn keeps_counts(&self) -> bool {
-        matches!(self.purpose, Purpose::Trace | Purpose::Pixels) || self.layers.contains(&Layer::Steps)
+        matches!(self.mode, Mode::Trace | Mode::Pixels) || self.layers.contains(&Layer::Steps)
     }
 
     /// Returns the passes, in the order in which they first run.
     #[must_use]
     pub fn passes(&self) -> Vec<Pass> {
-        let mut passes = match (self.purpose, self.schedule) {
-            (Purpose::Bare, _) => return vec![Pass::Setup, Pass::Bare],
-            (Purpose::Lit, _) => return vec![Pass::Setup, Pass::Shots],
+        let mut passes = match (self.mode, self.schedule) {
+            (Mode::Bare, _) => return vec![Pass::Setup, Pass::Bare],
+            (Mode::Lit, _) => return vec![Pass::Setup, Pass::Shots],
             (_, Schedule::Whole) => vec![Pass::Whole],
             (_, Schedule::Fused) => vec![Pass::Setup, Pass::Advance],
             (_, Schedule::Segment) => vec![Pass::Setup, Pass::Integrate],
@@ -349,14 +349,14 @@ impl Features {
     /// Returns `true` if the distance τ along the path is needed.
     #[must_use]
     pub fn asks_tau(&self) -> bool {
-        self.needs_arcs || !matches!(self.purpose, Purpose::Picture | Purpose::Bare)
+        self.needs_arcs || !matches!(self.mode, Mode::Picture | Mode::Bare)
     }
 }
 
 /// Returns the largest number of rounds per sample: one for each leaf of the full tree of a path.
 fn rounds(scene: &Scene, is_picture: bool) -> u32 {
     match scene.rays.max_splits {
-        Branches::Enumerated(depth) if is_picture && scene.branches() => 1 << depth,
+        Splitting::Enumerated(depth) if is_picture && scene.branches() => 1 << depth,
         _ => 1,
     }
 }
@@ -369,11 +369,11 @@ fn slots(scene: &Scene, schedule: Schedule) -> usize {
 
 /// Returns the module that ends light from below a horizon, or `None` if the camera is known to be above it. An animation has one program
 /// for all positions of its camera.
-fn below_part(scene: &Scene, purpose: Purpose, below: Option<(&'static str, Capture)>) -> Option<&'static str> {
+fn below_part(scene: &Scene, mode: Mode, below: Option<(&'static str, Capture)>) -> Option<&'static str> {
     let moves = |animation: &Animation| {
         animation.keys.iter().any(|key| ["camera.position", "camera.proper_time"].contains(&&**key))
     };
-    let is_anywhere = purpose.is_given() || scene.animation.as_ref().is_some_and(moves);
+    let is_anywhere = mode.is_given() || scene.animation.as_ref().is_some_and(moves);
     let eye = scene.camera.as_ref().filter(|_| !is_anywhere).map(|camera| camera.position);
     let (part, horizon) = below?;
     eye.is_none_or(|eye| horizon.distance(eye) < 0.0).then_some(part)

@@ -7,7 +7,7 @@ use std::fmt::Write as _;
 
 use super::regions::Regions;
 use super::unit::Unit;
-use super::{Features, LoopBudget, Purpose};
+use super::{Features, LoopBudget, Mode};
 use crate::model::point_source;
 use crate::model::shape::SOLIDS;
 use crate::scene::{Precision, Scene};
@@ -86,12 +86,12 @@ pub(super) fn materials(answers: &Answers) -> Unit {
     let mut text =
         switch("fn surface_radiance(material: Material, color: vec3f, lit: Lit) -> vec3f", "material.kind", &radiance);
     if paths {
-        let mut answers = each(&|_, kind| format!("answer_{kind}(material, color)"));
+        let mut answers = each(&|_, kind| format!("bsdf_{kind}(material, color)"));
         if answers.is_empty() {
             answers.push((String::new(), "Answer(vec3f(0.0), vec3f(0.0), vec3f(0.0), 1.0)".to_owned()));
         }
         text += "\n";
-        text += &switch("fn answer_at(material: Material, color: vec3f) -> Answer", "material.kind", &answers);
+        text += &switch("fn bsdf_at(material: Material, color: vec3f) -> Bsdf", "material.kind", &answers);
     }
     text += "\n";
     text += &switch("fn pattern_color(material: Material, uv: vec2f) -> vec3f", "material.pattern", &colors);
@@ -146,22 +146,22 @@ pub(super) fn aims(kinds: &[&str], guides: usize) -> Unit {
 }
 
 /// Generates the absorption of the given kinds, each with whether it is a texture.
-pub(super) fn filters(kinds: &[(bool, &str)]) -> Unit {
+pub(super) fn absorptions(kinds: &[(bool, &str)]) -> Unit {
     let call = |(is_texture, kind): &(bool, &str)| {
         let sum = if *is_texture { ", sum" } else { "" };
-        (kind.to_uppercase(), format!("density_{kind}(filter_at, q{sum})"))
+        (kind.to_uppercase(), format!("density_{kind}(absorption, q{sum})"))
     };
     let calls: Vec<_> = kinds.iter().map(call).collect();
     // The long sum over a texture is written once, for all kinds that use it.
     let text = if kinds.iter().any(|(is_texture, _)| *is_texture) {
-        let signature = "fn textured_density(filter_at: Filter, q: Real3, sum: f32) -> vec3f";
-        switch(signature, "filter_at.kind", &calls)
-            + "\nfn filter_density(filter_at: Filter, q: Real3) -> vec3f {\n    \
-               return textured_density(filter_at, q, texture_sum(filter_at, q));\n}\n"
+        let signature = "fn textured_density(absorption: Absorption, q: Real3, sum: f32) -> vec3f";
+        switch(signature, "absorption.kind", &calls)
+            + "\nfn absorption_density(absorption: Absorption, q: Real3) -> vec3f {\n    \
+               return textured_density(absorption, q, texture_sum(absorption, q));\n}\n"
     } else {
-        switch("fn filter_density(filter_at: Filter, q: Real3) -> vec3f", "filter_at.kind", &calls)
+        switch("fn absorption_density(absorption: Absorption, q: Real3) -> vec3f", "absorption.kind", &calls)
     };
-    unit("generated/filters.wgsl", text)
+    unit("generated/absorption.wgsl", text)
 }
 
 /// Generates one texture for each image.
@@ -280,7 +280,7 @@ pub(super) fn counts(scene: &Scene, features: &Features, regions: &Regions) -> U
     count("AIM", aims.max(1));
     let _ = writeln!(text, "const HAS_AIMS: bool = {};", aims > 0);
     let (few, all) = (shots(scene), all_shots(scene));
-    let own = if features.purpose == Purpose::Lit { all } else { few };
+    let own = if features.mode == Mode::Lit { all } else { few };
     let _ = writeln!(text, "const USUAL_SHOTS: u32 = {few}u;\nconst SHOTS: u32 = {own}u;");
     unit("generated/counts.wgsl", text)
 }

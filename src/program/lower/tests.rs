@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use crate::program::tokens::Tokens;
-use crate::program::{Choice, DeviceProfile, Features, Parts, Unit, link, plan, reflect, validated};
+use crate::program::{DeviceProfile, Features, Parts, ProgramOptions, Unit, link, plan, reflect, validated};
 use crate::scene::Scene;
 
 /// Uniforms of every shape: whole, of one element, of two elements that are read at constant indices, walked, and separate.
@@ -108,7 +108,7 @@ fn formatting_changes_no_scene() {
         let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("scenes/{name}.toml"));
         let scene = Scene::load(&path, &[]).unwrap();
         let analysis = crate::program::Analysis::of(&scene);
-        let features = Features::of(&scene, &Choice::default(), &analysis);
+        let features = Features::of(&scene, &ProgramOptions::default(), &analysis);
         let parts = plan(&scene, &analysis, &features).unwrap();
         let spaced = |unit: &Unit, gap: &str| Unit { text: with_gaps(&unit.text, gap).into(), ..unit.clone() };
         for pass in features.passes() {

@@ -3,7 +3,7 @@
 use crate::document::reader::TableReader;
 use crate::document::values::{number_where, positive, word};
 use crate::scene::optics::Optics;
-use crate::scene::{Clear, Occlusion};
+use crate::scene::{Occlusion, TransparentShadows};
 
 /// Reports laws and segments that ambient occlusion does not support.
 fn check_law(table: &TableReader, optics: &Optics, chords: bool) {
@@ -38,7 +38,11 @@ pub fn read(root: &TableReader, optics: &Optics, chords: bool) -> Option<Occlusi
         along_law: along_law && optics.bends(),
         distance: table.optional("distance", positive),
         floor: table.or("floor", 0.0, fraction),
-        clear: if along_law { Clear::Closed } else { table.or("transparent", Clear::Closed, word(&Clear::WORDS)) },
+        clear: if along_law {
+            TransparentShadows::Closed
+        } else {
+            table.or("transparent", TransparentShadows::Closed, word(&TransparentShadows::WORDS))
+        },
     };
     table.finish();
     Some(occlusion)

@@ -8,7 +8,7 @@
 //! they are read, like all others, and an error is located at the track's value.
 
 use crate::document::reader::{Reader, TableReader};
-use crate::document::values::{Read, number, number_where, text, whole, word};
+use crate::document::values::{Parsed, number, number_where, text, whole, word};
 use crate::document::{Document, Node, Span, SpannedError, Value, names};
 
 /// The contents of `[animation]`.
@@ -76,13 +76,13 @@ fn track(table: TableReader, frames: u32) -> Option<Track> {
 /// The largest number of shutter samples of a frame, because each requires a separate scene.
 const MOST_MOMENTS: u32 = 1024;
 
-fn power_of_two(node: &Node) -> Read<u32> {
+fn power_of_two(node: &Node) -> Parsed<u32> {
     let moments = whole(2..=MOST_MOMENTS)(node)?;
     if moments.is_power_of_two() { Ok(moments) } else { Err(node.expected("a power of two, 2 to 1024")) }
 }
 
 /// Reads the names of a key that can be set.
-fn path(node: &Node) -> Read<Vec<String>> {
+fn path(node: &Node) -> Parsed<Vec<String>> {
     let help = "use names joined by dots, as in --set: camera.position, objects.0.radius";
     let path = names(text(node)?).ok_or_else(|| node.fault("not a valid key", help))?;
     if path[0] == "animation" {
@@ -92,7 +92,7 @@ fn path(node: &Node) -> Read<Vec<String>> {
 }
 
 /// Reads numbers, or arrays of numbers with equal shapes.
-fn values(node: &Node) -> Read<Vec<Node>> {
+fn values(node: &Node) -> Parsed<Vec<Node>> {
     let Value::Array(items) = &node.value else {
         return Err(node.expected("an array with a value for each keyframe"));
     };
@@ -108,7 +108,7 @@ fn values(node: &Node) -> Read<Vec<Node>> {
     Ok(items.clone())
 }
 
-fn numbers(node: &Node) -> Read<()> {
+fn numbers(node: &Node) -> Parsed<()> {
     match &node.value {
         Value::Array(items) => items.iter().try_for_each(numbers),
         Value::Integer(_) | Value::Float(_) => number(node).map(|_| ()),
@@ -125,11 +125,11 @@ fn same_shape(a: &Node, b: &Node) -> bool {
 }
 
 /// Reads one frame per value, in ascending order.
-fn ascending(node: &Node, count: usize) -> Read<Vec<f64>> {
+fn ascending(node: &Node, count: usize) -> Parsed<Vec<f64>> {
     let Value::Array(items) = &node.value else {
         return Err(node.expected("an array of frame numbers"));
     };
-    let at = items.iter().map(number).collect::<Read<Vec<f64>>>()?;
+    let at = items.iter().map(number).collect::<Parsed<Vec<f64>>>()?;
     if count > 0 && at.len() != count {
         return Err(node.fault(format!("{} keyframes for {count} values", at.len()), "give one keyframe per value"));
     }

@@ -21,7 +21,8 @@ use super::lights::PATHS;
 use super::optics::Optics;
 use super::throat::add_throat;
 use super::{
-    Animation, Bound, Clear, Light, LightGrid, LightSource, Output, REFERENCE, Scene, SceneError, Shadows, Tonemap,
+    Animation, Bound, Light, LightGrid, LightSource, Output, REFERENCE, Scene, SceneError, Shadows, Tonemap,
+    TransparentShadows,
 };
 use crate::assets::Files;
 use crate::document::reader::{Reader, TableReader};
@@ -142,7 +143,7 @@ fn document(
 /// Creates the scene as far as possible; the reader collects errors.
 pub(super) fn scene(reader: &Reader, files: &mut Files) -> Option<Scene> {
     let root = reader.root();
-    let (law, filter) = law::read(&root, files);
+    let (law, absorption) = law::read(&root, files);
     let table = rays::table(&root);
     let bound = table.as_ref().and_then(rays::bound);
     let paths = paths::read(&root, table.as_ref(), law.as_deref());
@@ -183,7 +184,7 @@ pub(super) fn scene(reader: &Reader, files: &mut Files) -> Option<Scene> {
         let help = "use segment = \"arc\", or shadows = \"straight-rays\"";
         root.fault(&["lights"], "shadows = \"curved-rays\" requires arcs, and these rays are chords", help);
     }
-    if chords && filter.is_some() {
+    if chords && absorption.is_some() {
         let help = "use segment = \"arc\", or remove law.absorption";
         root.fault(&["law"], "absorption requires arcs, and these rays are chords", help);
     }
@@ -192,8 +193,9 @@ pub(super) fn scene(reader: &Reader, files: &mut Files) -> Option<Scene> {
         paths::refuse(&root, &lights);
     }
     let reach = bound.map_or(1.0, |bound| bound.radius);
-    let (law_now, filter_now) = (law.as_deref(), filter.as_ref());
-    let rest = shift::Rest { law: law_now, materials: &materials, filter: filter_now, paths: paths.is_some(), reach };
+    let (law_now, absorption_now) = (law.as_deref(), absorption.as_ref());
+    let rest =
+        shift::Rest { law: law_now, materials: &materials, absorption: absorption_now, paths: paths.is_some(), reach };
     shift::check(&root, camera.as_ref(), &rest);
     travel::check(&root, camera.as_ref(), bound, chords, &optics);
     let animation = animation::read(&root).map(|read| Animation {
@@ -213,7 +215,7 @@ pub(super) fn scene(reader: &Reader, files: &mut Files) -> Option<Scene> {
         image,
         camera,
         law: law?,
-        filter,
+        absorption,
         rays: rays?,
         sky,
         sky_other_side: beyond,
@@ -340,7 +342,11 @@ fn light(table: TableReader, reach: f64, optics: &Optics) -> Option<Light> {
     // The light of a directional source does not fall off.
     let falls = point == Some(true) && table.or("falloff", false, word(&[("none", false), ("inverse-square", true)]));
     let straight = shadows == Shadows::Straight;
-    let clear = if straight { table.or("transparent", Clear::Open, word(&Clear::WORDS)) } else { Clear::Open };
+    let clear = if straight {
+        table.or("transparent", TransparentShadows::Open, word(&TransparentShadows::WORDS))
+    } else {
+        TransparentShadows::Open
+    };
     let shot = shadows == Shadows::Shooting;
     let size = if shot { table.or("min_distance", 1e-3 * reach, positive) } else { 0.0 };
     if shot {

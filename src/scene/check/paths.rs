@@ -3,17 +3,17 @@
 use crate::document::reader::TableReader;
 use crate::document::values::{boolean, whole, word};
 use crate::model::Law;
-use crate::scene::{Light, Paths};
+use crate::scene::{Light, PathTracing};
 
 /// Reads the settings of path tracing, if the scene uses it.
-pub fn read(root: &TableReader, rays: Option<&TableReader>, law: Option<&dyn Law>) -> Option<Paths> {
+pub fn read(root: &TableReader, rays: Option<&TableReader>, law: Option<&dyn Law>) -> Option<PathTracing> {
     let follows =
         rays.is_some_and(|rays| rays.or("lighting", false, word(&[("direct", false), ("path-tracing", true)])));
     if let (true, Some(rays), Some(why)) = (follows, rays, law.and_then(|law| law.facts().ignores_direction)) {
         let problem = format!("path tracing is not available under this law: {why}");
         rays.fault(&["lighting"], problem, "use lighting = \"direct\"");
     }
-    let usual = Paths::default();
+    let usual = PathTracing::default();
     let mut paths = usual;
     if let Some(table) = root.subtable("path_tracing", "path_tracing") {
         if !follows {

@@ -3,13 +3,13 @@
 use glam::DVec3;
 
 use crate::document::reader::TableReader;
-use crate::document::values::{Read, boolean, choice, number_where, positive, text, vector, whole, word};
+use crate::document::values::{Parsed, boolean, choice, number_where, positive, text, vector, whole, word};
 use crate::document::{Node, SpannedError, Value};
 use crate::model::medium::D_LINE;
 use crate::model::method::{self, Demands, NamedMethod};
 use crate::model::{Law, control};
 use crate::scene::optics::Optics;
-use crate::scene::{Accelerate, Accuracy, Auto, Bound, Branches, Precision, Rays, Segment};
+use crate::scene::{Accelerate, Accuracy, Auto, Bound, Precision, Rays, Segment, Splitting};
 
 const ACCELERATE: &[(&str, Accelerate)] = &[
     ("auto", Accelerate::Auto),
@@ -96,15 +96,15 @@ pub fn read(table: TableReader, bound: Option<Bound>, optics: &Optics) -> Option
     })
 }
 
-fn wavelength(node: &Node) -> Read<f64> {
+fn wavelength(node: &Node) -> Parsed<f64> {
     number_where("a wavelength above 0 nm", |x| x > 0.0)(node)
 }
 
 /// Reads the rays that continue after a split; path tracing follows one of the two.
-fn branching(table: &TableReader, optics: &Optics) -> Branches {
-    let usual = if optics.paths.is_some() { Branches::Random } else { Branches::Enumerated(4) };
+fn branching(table: &TableReader, optics: &Optics) -> Splitting {
+    let usual = if optics.paths.is_some() { Splitting::Random } else { Splitting::Enumerated(4) };
     let wanted = table.or("max_splits", usual, branches);
-    if optics.paths.is_some() && wanted != Branches::Random {
+    if optics.paths.is_some() && wanted != Splitting::Random {
         let problem = "path tracing follows one branch, drawn at random, at each surface";
         table.fault(&["max_splits"], problem, "remove it, or use \"stochastic\"");
     }
@@ -139,10 +139,10 @@ fn method(table: &TableReader, optics: &Optics, demands: Demands) -> (Option<Nam
 }
 
 /// Reads a number of splits, or `"stochastic"`.
-fn branches(node: &Node) -> Read<Branches> {
+fn branches(node: &Node) -> Parsed<Splitting> {
     match &node.value {
-        Value::Text(_) => word(&[("stochastic", Branches::Random)])(node),
-        _ => whole(0..=20)(node).map(Branches::Enumerated),
+        Value::Text(_) => word(&[("stochastic", Splitting::Random)])(node),
+        _ => whole(0..=20)(node).map(Splitting::Enumerated),
     }
 }
 
@@ -176,7 +176,7 @@ fn default_method(table: &TableReader, optics: &Optics, demands: Demands) -> Opt
 }
 
 /// Reads an accuracy such as `"0.1px"`, or in radians.
-fn accuracy(node: &Node) -> Read<Accuracy> {
+fn accuracy(node: &Node) -> Parsed<Accuracy> {
     const WHAT: &str = "an angle in radians, or in pixels such as \"0.1px\"";
     match &node.value {
         Value::Text(text) => {

@@ -36,7 +36,7 @@ pub fn solids(objects: Vec<(Span, Object)>, materials: &[Material]) -> Vec<(Span
 fn is_sided(object: &Object, materials: &[Material]) -> bool {
     let continues = |i: usize| materials.get(i).is_some_and(|material| material.surface.facts().continues);
     match object.substance {
-        Substance::Clear(_) => true,
+        Substance::TransparentShadows(_) => true,
         Substance::Opaque(material) => continues(material) && object.shape.refuses_interior().is_none(),
     }
 }
@@ -99,7 +99,9 @@ fn overlap_in_part(first: &Object, second: &Object) -> bool {
 }
 
 fn touches(object: &Object, x: DVec3) -> bool {
-    object.gap(x).is_some_and(|gap| gap.abs() <= TOUCHES * (x.length() + gap.abs()))
+    object
+        .signed_distance(x)
+        .is_some_and(|signed_distance| signed_distance.abs() <= TOUCHES * (x.length() + signed_distance.abs()))
 }
 
 /// Returns points distributed over a surface, in scene coordinates.

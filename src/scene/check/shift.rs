@@ -4,13 +4,13 @@ use glam::DVec3;
 
 use crate::document::reader::{Reader, TableReader};
 use crate::document::{Span, SpannedError};
-use crate::model::{Camera, Filter, Law, Material, Object, matter};
+use crate::model::{Absorption, Camera, Law, Material, Object, matter};
 
 /// The properties of the scene, except the camera, that affect the light and the orbits of matter.
 pub struct Rest<'a> {
     pub law: Option<&'a dyn Law>,
     pub materials: &'a [Material],
-    pub filter: Option<&'a Filter>,
+    pub absorption: Option<&'a Absorption>,
     pub paths: bool,
     /// The largest radius of orbits.
     pub reach: f64,
@@ -20,7 +20,7 @@ pub fn check(root: &TableReader, camera: Option<&Camera>, rest: &Rest) {
     if camera.is_some_and(|camera| camera.redshift) {
         if rest.paths {
             root.fault(&["camera"], "`redshift` cannot be combined with path tracing", "remove camera.redshift");
-        } else if rest.filter.is_some_and(|filter| filter.glow != DVec3::ZERO) {
+        } else if rest.absorption.is_some_and(|absorption| absorption.emission != DVec3::ZERO) {
             let problem = "the frequency of light that space emits is not defined";
             root.fault(&["camera"], problem, "remove camera.redshift, or `emission` in law.absorption");
         }

@@ -22,7 +22,7 @@ use super::SceneError;
 use crate::assets::json::mesh::{Mode, Semantic};
 use crate::assets::json::validation::Checked::Valid;
 use crate::assets::json::{Root, mesh::Primitive};
-use crate::assets::{Gltf, MeshRequest, NodeName, Part, Placed, Source, names};
+use crate::assets::{Gltf, MeshPart, MeshRequest, MeshSource, NodeName, Placed, names};
 use crate::model::shape::{Shape, Triangles, round_up};
 use surfaces::Surfaces;
 use text::{Left, number, quoted, relative, vector};
@@ -72,9 +72,9 @@ pub fn import(file: &Gltf, scene: &Path) -> Result<Imported, SceneError> {
         return Err(SceneError::Mesh { path: file.path().to_owned(), problem });
     };
     let (camera, eyes) = views::cameras(file, &nodes, &extent, &mut left);
-    let (lights, lamps) = lights::lights(file, &nodes, &extent, eyes[0], surfaces.shines(), &mut left);
+    let (lights, emitters) = lights::lights(file, &nodes, &extent, eyes[0], surfaces.shines(), &mut left);
     let center = extent.center();
-    let reach = eyes.iter().chain(&lamps).map(|place| place.distance(center)).fold(extent.radius(), f64::max);
+    let reach = eyes.iter().chain(&emitters).map(|place| place.distance(center)).fold(extent.radius(), f64::max);
     let bound = format!(
         "[rays]\nbounding_sphere = {{ center = {}, radius = {} }}\n",
         vector(center),
@@ -120,7 +120,7 @@ fn objects(
 ) -> Result<(String, Option<Extent>), SceneError> {
     let mut text = String::new();
     let mut extent: Option<Extent> = None;
-    let mut read: HashMap<Source, Triangles> = HashMap::new();
+    let mut read: HashMap<MeshSource, Triangles> = HashMap::new();
     for (placed, node) in nodes.iter().zip(names(nodes)) {
         let Some(mesh) = placed.node.mesh.and_then(|index| file.root.get(index)) else { continue };
         let called = match &node {
@@ -137,7 +137,7 @@ fn objects(
             }
             of_the_primitive(primitive, &called, left);
             let chosen = (mesh.primitives.len() > 1).then_some(i as u32);
-            let part = Part { node: Some(node.clone()), primitive: chosen };
+            let part = MeshPart { node: Some(node.clone()), primitive: chosen };
             let (source, place) = file.find(&part)?;
             let triangles = match read.entry(source) {
                 Entry::Occupied(known) => known.into_mut(),

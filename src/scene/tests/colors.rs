@@ -184,7 +184,7 @@ fn a_mean_color_counts_areas() {
 #[test]
 fn a_lamp_is_as_bright_as_its_vertex_colors() {
     let folder = tempfile::tempdir().expect("a folder");
-    let lamps = |color: &str| {
+    let emitters = |color: &str| {
         let text = format!("v 0 0 0 {color}\nv 1 0 0 {color}\nv 0 1 0 {color}\nf 1 2 3\n");
         std::fs::write(folder.path().join("lamp.obj"), text).expect("written");
         let text = "[rays]\nbounding_sphere = { radius = 10 }\nlighting = \"path-tracing\"\n[materials.m]\nkind = \"emissive\"\n\
@@ -192,10 +192,10 @@ fn a_lamp_is_as_bright_as_its_vertex_colors() {
                     file = \"lamp.obj\"\nmaterial = \"m\"\n";
         let scene =
             Scene::parse(text, &folder.path().join("scene.toml"), &[]).unwrap_or_else(|error| panic!("{error}"));
-        scene.lamps()
+        scene.emitters()
     };
-    assert!(lamps("0 0 0").is_empty());
-    let [red] = lamps("1 0 0")[..] else { panic!("one lamp") };
+    assert!(emitters("0 0 0").is_empty());
+    let [red] = emitters("1 0 0")[..] else { panic!("one lamp") };
     let expected = std::f64::consts::PI * red.radius.powi(2);
     assert!((red.power - expected).abs() < 1e-12 * expected, "{red:?}");
 }

@@ -199,7 +199,7 @@ fn scenes_that_share_their_files_load_each_once() {
     };
     let mut good = |text: &str| load(text).unwrap_or_else(|e| panic!("{e}"));
     let loaded = |scene: &Scene| match (&scene.objects[0].shape, &scene.objects[1].substance) {
-        (shape, Substance::Clear(Interior { medium, .. })) => {
+        (shape, Substance::TransparentShadows(Interior { medium, .. })) => {
             let mesh = shape.mesh().expect("a mesh");
             let Grid(grid) = medium.downcast().expect("a grid");
             (Arc::clone(mesh), Arc::clone(grid))

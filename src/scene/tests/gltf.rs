@@ -8,7 +8,7 @@ use base64::engine::general_purpose::STANDARD;
 use glam::{DVec3, Vec2, Vec3};
 use serde_json::{Value, json};
 
-use crate::assets::{Gltf, MeshRequest, NodeName, Part};
+use crate::assets::{Gltf, MeshPart, MeshRequest, NodeName};
 use crate::scene::{Files, Mesh, Scene, SceneError};
 
 /// A file under construction: its binary data and the views of it.
@@ -245,7 +245,7 @@ fn parts_are_chosen_by_name_and_number() {
     let path = folder.path().join("a.glb");
     let file = Gltf::open(made.glb(&rest), &path).unwrap_or_else(|error| panic!("{error}"));
     let ask = |node: Option<NodeName>, primitive: Option<u32>| -> Result<DVec3, String> {
-        let (source, place) = file.find(&Part { node, primitive }).map_err(|error| error.to_string())?;
+        let (source, place) = file.find(&MeshPart { node, primitive }).map_err(|error| error.to_string())?;
         let mesh = file.read(&source, MeshRequest::CREASE).map_err(|error| error.to_string())?;
         Ok(place.transform_point3(mesh.vertices[0].position.as_dvec3()))
     };

@@ -27,7 +27,7 @@ pub fn object(shape: impl Shape, transform: Transform) -> Object {
 
 fn placed(shape: Arc<dyn Shape>, transform: Transform) -> Object {
     let medium = Arc::new(Constant { n: 1.5 });
-    Object::new(shape, transform, Substance::Clear(Interior::new(medium)))
+    Object::new(shape, transform, Substance::TransparentShadows(Interior::new(medium)))
 }
 
 #[test]
@@ -111,7 +111,7 @@ fn open_shapes_contain_nothing() {
     for shape in shapes {
         let object = placed(shape, place);
         assert!(!object.contains(DVec3::ZERO), "{:?}", object.shape);
-        assert_eq!(object.gap(DVec3::ZERO), None);
+        assert_eq!(object.signed_distance(DVec3::ZERO), None);
     }
 }
 
@@ -121,23 +121,23 @@ fn gaps_are_distances() {
     let at = DVec3::new(1.0, -2.0, 3.0);
     let near = |a: Option<f64>, b: f64| assert!((a.expect("a gap") - b).abs() < 1e-12, "{a:?} {b}");
     let ball = object(Sphere, Transform::new(DVec3::splat(2.0), turn, at));
-    near(ball.gap(at + 5.0 * DVec3::Y), 3.0);
-    near(ball.gap(at), -2.0);
+    near(ball.signed_distance(at + 5.0 * DVec3::Y), 3.0);
+    near(ball.signed_distance(at), -2.0);
     let place = Transform::new(DVec3::new(1.0, 2.0, 3.0), turn, at);
     let from = |own: DVec3| place.0.transform_point3(own);
     let cuboid = object(Cuboid, place);
-    near(cuboid.gap(from(DVec3::new(0.5, 0.5, 0.5))), -0.5);
-    near(cuboid.gap(from(DVec3::new(0.0, 0.9, 0.0))), -0.2);
-    near(cuboid.gap(from(DVec3::new(0.0, 0.0, 2.0))), 3.0);
+    near(cuboid.signed_distance(from(DVec3::new(0.5, 0.5, 0.5))), -0.5);
+    near(cuboid.signed_distance(from(DVec3::new(0.0, 0.9, 0.0))), -0.2);
+    near(cuboid.signed_distance(from(DVec3::new(0.0, 0.0, 2.0))), 3.0);
     let place = Transform::new(DVec3::new(2.0, 5.0, 2.0), turn, at);
     let from = |own: DVec3| place.0.transform_point3(own);
     let cylinder = object(Cylinder, place);
-    near(cylinder.gap(from(DVec3::new(0.3, 0.0, 0.4))), -1.0);
-    near(cylinder.gap(from(DVec3::new(0.0, 0.9, 0.0))), -0.5);
-    near(cylinder.gap(from(DVec3::new(0.0, 0.0, -3.0))), 4.0);
+    near(cylinder.signed_distance(from(DVec3::new(0.3, 0.0, 0.4))), -1.0);
+    near(cylinder.signed_distance(from(DVec3::new(0.0, 0.9, 0.0))), -0.5);
+    near(cylinder.signed_distance(from(DVec3::new(0.0, 0.0, -3.0))), 4.0);
     // The first-order distance of an ellipsoid is exact along its short axis.
     let flat = object(Sphere, Transform::new(DVec3::new(4.0, 1.0, 4.0), DVec3::ZERO, DVec3::ZERO));
-    near(flat.gap(DVec3::new(0.0, 1.25, 0.0)), 0.25);
+    near(flat.signed_distance(DVec3::new(0.0, 1.25, 0.0)), 0.25);
 }
 
 #[test]
@@ -196,11 +196,11 @@ proptest! {
             let what = format!("{shape:?}");
             let object = placed(shape, place);
             prop_assert_eq!(object.contains(x), size < 1.0, "{} at {}", what, own);
-            if let Some(gap) = object.gap(x) {
-                prop_assert_eq!(gap < 0.0, size < 1.0, "{} at {}", what, own);
+            if let Some(signed_distance) = object.signed_distance(x) {
+                prop_assert_eq!(signed_distance < 0.0, size < 1.0, "{} at {}", what, own);
                 // From a point inside a box, no face is closer than the gap in any direction.
-                let moved = x + DVec3::new(0.6, -0.64, 0.48) * (0.999 * gap);
-                prop_assert!(gap >= 0.0 || object.shape.downcast::<Cuboid>().is_none() || object.contains(moved), "{} of {}", gap, own);
+                let moved = x + DVec3::new(0.6, -0.64, 0.48) * (0.999 * signed_distance);
+                prop_assert!(signed_distance >= 0.0 || object.shape.downcast::<Cuboid>().is_none() || object.contains(moved), "{} of {}", signed_distance, own);
             }
         }
     }

@@ -38,6 +38,7 @@ const TRIED: &[(&str, &str, &str)] = &[
     ("law", "kind = \"kerr-newman\"\na = 0.9", "spin"),
     ("law", "kind = \"wormhole\"\nother = [9, 0, 0]", "other_mouth"),
     ("law", "filter = [1, 1, 1]", "absorption"),
+    ("law", "kind = \"schwarzschild\"\nform = \"path\"", "orbit-equation"),
     ("law", "absorption = { density = 1 }", "coefficient"),
     ("law", "absorption = { color = [1, 1, 1] }", "transmittance"),
     ("law", "absorption = { coefficient = 1, glow = [1, 1, 1] }", "emission"),

@@ -12,7 +12,7 @@ use bentray::assets::{GridUse, RawGridLayout, Spacetime, Stored};
 use bentray::glam::{DMat3, DVec3, DVec4};
 use bentray::gpu::Geometry;
 use bentray::output::{csv, merge, picture, said, settings_of};
-use bentray::program::{Choice, Program, ProgramError};
+use bentray::program::{Program, ProgramError, ProgramOptions};
 use bentray::scene::import::import;
 use bentray::scene::{
     Curve, FanRay, Formula, FormulaError, Gltf, IndexGrid, Interval, LineElement, Mesh, Override, Picture, Profile,
@@ -103,7 +103,7 @@ fn program(bytes: &[u8]) {
 
 fn linked(scene: &Scene) -> Result<Program, ProgramError> {
     let geometry = Geometry::new(scene);
-    Program::new(scene, &geometry.analysis, &Choice::default(), geometry.extent())
+    Program::new(scene, &geometry.analysis, &ProgramOptions::default(), geometry.extent())
 }
 
 /// A line each, for a scene that has something for each.
@@ -181,7 +181,11 @@ fn formula(bytes: &[u8]) {
 fn law(bytes: &[u8]) {
     with_file("law.wgsl", bytes, |path| {
         let law = text(bytes);
-        let depends = [("flow_field", "flow"), ("law_pull_at", "time"), ("law_pull", "velocity")];
+        let depends = [
+            ("flow_field", "flow"),
+            ("law_acceleration_by_time", "time"),
+            ("law_acceleration_by_velocity", "velocity"),
+        ];
         let depends = depends.iter().find(|(name, _)| law.contains(name)).map_or("place", |(_, depends)| depends);
         let text = include_str!("../files/law.toml").replace("\"place\"", &format!("\"{depends}\""));
         let Some(scene) = shown(Scene::parse(&text, &path.with_file_name("scene.toml"), &[])) else { return };

@@ -18,7 +18,7 @@ use bentray::model::camera::Pinhole;
 use bentray::model::law::Straight;
 use bentray::model::material::Mirror;
 use bentray::model::medium::Constant;
-use bentray::scene::{Branches, Medium, Scene, Substance};
+use bentray::scene::{Medium, Scene, Splitting, Substance};
 use glam::DVec3;
 
 pub use interface::Interface;
@@ -100,7 +100,7 @@ impl<'s> Tracer<'s> {
 
     /// The radiance that comes to `x` against the unit vector `d`.
     pub fn seen(&self, x: DVec3, d: DVec3) -> DVec3 {
-        let Branches::Enumerated(branchings) = self.scene.rays.max_splits else {
+        let Splitting::Enumerated(branchings) = self.scene.rays.max_splits else {
             panic!("the tracer leaves nothing to chance")
         };
         let ray = self.ray(x, d);

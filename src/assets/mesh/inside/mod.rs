@@ -20,7 +20,7 @@ use shells::{NONE, Shells};
 
 /// The cached interior of a mesh. It is ignored when meshes are compared, and copies start without it, because they may be changed.
 #[derive(Debug, Default)]
-pub(super) struct Inside(OnceLock<Found>);
+pub(super) struct Inside(OnceLock<Interior>);
 
 impl Clone for Inside {
     fn clone(&self) -> Self {
@@ -36,7 +36,7 @@ impl PartialEq for Inside {
 
 /// The interior of a mesh.
 #[derive(Debug)]
-struct Found {
+struct Interior {
     /// Meshes in which no point is inside more than once, wound outward; empty if the mesh is already such a mesh.
     solids: Result<Vec<Arc<Mesh>>, String>,
     /// The difference from the mesh that it was made from, as a message.
@@ -63,8 +63,8 @@ impl Mesh {
         self.inside.0.get()?.remark.as_deref()
     }
 
-    fn found(&self) -> &Found {
-        self.inside.0.get_or_init(|| Found { solids: solids(self), remark: None })
+    fn found(&self) -> &Interior {
+        self.inside.0.get_or_init(|| Interior { solids: solids(self), remark: None })
     }
 }
 
@@ -84,7 +84,7 @@ fn solids(mesh: &Mesh) -> Result<Vec<Arc<Mesh>>, String> {
     let layer = |layer: u32| {
         let is_in = |i: &usize| shells.of[*i] != NONE && nesting.layer[shells.of[*i] as usize] == layer;
         let part = mesh.part((0..count).filter(is_in).map(|i| (i, is_turned(i))));
-        part.inside.0.get_or_init(|| Found { solids: Ok(Vec::new()), remark: remark.take() });
+        part.inside.0.get_or_init(|| Interior { solids: Ok(Vec::new()), remark: remark.take() });
         Arc::new(part)
     };
     Ok((0..layers).map(layer).collect())

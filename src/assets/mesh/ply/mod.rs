@@ -21,7 +21,7 @@ use super::text::Diagnostics;
 use super::{Format, Read, Reading};
 use crate::document::{SceneError, lenient_text};
 use header::{CORNERS, Element, Encoding, Header, Property};
-use source::{Binary, Source, Words, Wrong};
+use source::{Binary, NumberSource, Words, Wrong};
 
 pub(super) const FORMAT: Format = Format { extensions: &["ply"], read: Read::Whole(read) };
 
@@ -70,7 +70,7 @@ struct Assembled {
 }
 
 impl Assembled {
-    fn elements(&mut self, header: &Header, source: &mut impl Source) -> Result<(), Wrong> {
+    fn elements(&mut self, header: &Header, source: &mut impl NumberSource) -> Result<(), Wrong> {
         for element in &header.elements {
             source.has(element)?;
             match element.name.as_str() {
@@ -91,7 +91,7 @@ impl Assembled {
         source.end()
     }
 
-    fn vertices(&mut self, element: &Element, source: &mut impl Source) -> Result<(), Wrong> {
+    fn vertices(&mut self, element: &Element, source: &mut impl NumberSource) -> Result<(), Wrong> {
         let place = |names: &[&str]| element.properties.iter().position(|p| names.contains(&p.name.as_str()));
         let places = [
             place(&["x"]),
@@ -137,7 +137,7 @@ impl Assembled {
         Ok(())
     }
 
-    fn faces(&mut self, element: &Element, vertices: u64, source: &mut impl Source) -> Result<(), Wrong> {
+    fn faces(&mut self, element: &Element, vertices: u64, source: &mut impl NumberSource) -> Result<(), Wrong> {
         let has = |names: &&[&str]| element.properties.iter().any(|p| names.contains(&p.name.as_str()));
         self.has_face_colors = COLOR.iter().all(has);
         for _ in 0..element.count {
@@ -175,7 +175,7 @@ impl Assembled {
 
     /// Reads triangle strips: each index after the first two of a strip makes
     /// a triangle with the two before it; every second one is reversed.
-    fn strips(&mut self, element: &Element, vertices: u64, source: &mut impl Source) -> Result<(), Wrong> {
+    fn strips(&mut self, element: &Element, vertices: u64, source: &mut impl NumberSource) -> Result<(), Wrong> {
         // The separator of two strips; if indices are unsigned, it is the largest number.
         let ends = |value: f64| [-1.0, f64::from(u32::MAX)].contains(&value);
         for _ in 0..element.count {
@@ -255,7 +255,7 @@ fn no_number(value: f64) -> Wrong {
 /// Reads a property: a number, or all items of a list.
 fn list(
     property: &Property,
-    source: &mut impl Source,
+    source: &mut impl NumberSource,
     mut take: impl FnMut(f64) -> Result<(), Wrong>,
 ) -> Result<(), Wrong> {
     let count = match property.length {

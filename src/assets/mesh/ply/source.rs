@@ -19,7 +19,7 @@ impl Wrong {
 }
 
 /// A sequence of numbers.
-pub(super) trait Source {
+pub(super) trait NumberSource {
     /// Returns the smallest size of a number in bytes.
     fn least(kind: Stored) -> u64;
 
@@ -97,7 +97,7 @@ impl<'a> Words<'a> {
     }
 }
 
-impl Source for Words<'_> {
+impl NumberSource for Words<'_> {
     /// One digit and a separator.
     fn least(_: Stored) -> u64 {
         2
@@ -170,7 +170,7 @@ impl<'a> Binary<'a> {
     }
 }
 
-impl Source for Binary<'_> {
+impl NumberSource for Binary<'_> {
     fn least(kind: Stored) -> u64 {
         kind.bytes() as u64
     }

@@ -15,7 +15,7 @@ use std::sync::Arc;
 use glam::{DMat3, DMat4, DVec3, DVec4};
 
 use super::observer::{four_velocity, light_speed};
-use super::{Facts, Form, Invariant, Kind, Law, Observer, Order, Throat};
+use super::{Form, Invariant, Kind, Law, LawProperties, Observer, Order, Throat};
 use crate::assets::{LineElement, Spot};
 use crate::document::keys;
 use crate::model::{Binding, Wgsl, row};
@@ -185,14 +185,14 @@ impl Law for Metric {
         vec![Binding::one("law", row)]
     }
 
-    fn facts(&self) -> Facts<'_> {
+    fn facts(&self) -> LawProperties<'_> {
         let in_time = self.element.depends_on_time();
         let sent = match self.throat {
             Some(_) => Some("light has more paths through a throat than bentray searches for"),
             None => (!self.element.is_static())
                 .then_some("in this spacetime, light does not retrace the path of a ray from the camera"),
         };
-        Facts {
+        LawProperties {
             order: Order::General,
             carries_time: in_time,
             changes_with_time: in_time,
@@ -203,7 +203,7 @@ impl Law for Metric {
             refuses_surfaces: in_time.then_some("a law that depends on t would restart at each surface"),
             refuses_interiors: Some("in a spacetime, the speed of light in an interior is not defined"),
             refuses_sent_light: sent,
-            ..Facts::default()
+            ..LawProperties::default()
         }
     }
 

@@ -277,8 +277,8 @@ fn volumes_absorb_light() {
     let left = |i: usize, distance: f64| {
         let interior = scene.objects[i].interior().expect("an interior");
         assert_eq!(interior.medium.index(DVec3::ZERO), Some(1.25));
-        let filter = interior.filter.as_deref()?;
-        let Density::Even(density) = filter.density else { panic!("{filter:?}") };
+        let absorption = interior.absorption.as_deref()?;
+        let Density::Even(density) = absorption.density else { panic!("{absorption:?}") };
         Some((-distance * density).exp())
     };
     // The scene has numbers of 32 bits.

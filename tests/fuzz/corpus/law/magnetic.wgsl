@@ -6,6 +6,6 @@ fn field(x: Real3) -> Real3 {
     return (0.75 * real_exp(-dot(across, across) / (0.75 * 0.75))) * Real3(0.0, 0.0, 1.0);
 }
 
-fn law_pull(x: Real3, v: Real3) -> Real3 {
+fn law_acceleration_by_velocity(x: Real3, v: Real3) -> Real3 {
     return cross(v, field(x));
 }

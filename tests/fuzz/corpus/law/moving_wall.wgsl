@@ -1,7 +1,7 @@
 // A wall that light bounces off, moving along its normal: a smooth step of potential, so steep that what comes slower than it is
 // turned back. What meets it while it approaches comes back faster.
 
-fn law_pull_at(x: Real3, v: Real3, tau: Real) -> Real3 {
+fn law_acceleration_by_time(x: Real3, v: Real3, tau: Real) -> Real3 {
     let depth = (dot(x, Real3(0.0, 0.0, 1.0)) - 0.75 - 0.75 * tau) / 0.75;
     // The slope of height / (1 + e^(-depth)), without overflow on either side.
     let e = real_exp(-abs(depth));

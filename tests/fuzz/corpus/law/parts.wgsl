@@ -4,7 +4,7 @@ fn own(x: Real3) -> Both {
     if length(x) < LEAST { return Both(x, 1.0); }
     return Both(-x, 0.0);
 }
-fn law_pull(x: Real3, v: Real3) -> Real3 {
+fn law_acceleration_by_velocity(x: Real3, v: Real3) -> Real3 {
     let both = own(x);
     return select(both.a, cross(x, v), both.b > 0.5);
 }

@@ -1,6 +1,6 @@
 // A mass that pulses: its pull swings with tau about a mean. It is soft in the middle, where it stays finite.
 
-fn law_pull_at(x: Real3, v: Real3, tau: Real) -> Real3 {
+fn law_acceleration_by_time(x: Real3, v: Real3, tau: Real) -> Real3 {
     let swing = real_sin_cos(0.75 * tau).x;
     let r2 = dot(x, x) + 0.75 * 0.75;
     return (-0.75 * (1.0 + 0.75 * swing) / (r2 * sqrt(r2))) * x;

@@ -123,7 +123,7 @@ impl Pass {
 
 /// The origin of the rays and the use of their results.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub enum Purpose {
+pub enum Mode {
     /// Rays of a camera, for an image.
     Picture,
     /// Given rays, which are recorded.
@@ -140,7 +140,7 @@ pub enum Purpose {
     Bare,
 }
 
-impl Purpose {
+impl Mode {
     /// Returns `true` if the rays are given one by one, independently of the camera.
     #[must_use]
     pub fn is_given(self) -> bool {
@@ -156,25 +156,25 @@ impl Purpose {
 
 /// Everything except the scene that determines the contents of its program.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Choice {
+pub struct ProgramOptions {
     /// The distribution of stages over passes.
     pub schedule: Schedule,
     /// The way in which terminated rays are skipped.
     pub masks: RaySkipping,
     /// The use of the results, such as an image or a trace.
-    pub purpose: Purpose,
+    pub mode: Mode,
     /// The layers to store, each once.
     pub layers: Vec<Layer>,
     /// The properties of the device.
     pub device: DeviceProfile,
 }
 
-impl Default for Choice {
+impl Default for ProgramOptions {
     fn default() -> Self {
         Self {
             schedule: Schedule::Whole,
             masks: RaySkipping::List,
-            purpose: Purpose::Picture,
+            mode: Mode::Picture,
             layers: Vec::new(),
             device: DeviceProfile::default(),
         }

@@ -4,6 +4,6 @@
 const DARK: f32 = 1e-8;
 
 // A path that began or ended at a singularity of the index has no light.
-fn sure_weight(weight: vec3f) -> vec3f {
-    return select(vec3f(0.0), weight, finite(Real3(weight)));
+fn finite_throughput(throughput: vec3f) -> vec3f {
+    return select(vec3f(0.0), throughput, finite(Real3(throughput)));
 }

@@ -1,5 +1,5 @@
 // A law whose acceleration has no value that is constant along a ray.
 
-fn law_held(p: Phase) -> Real {
+fn law_ray_constant(p: Phase) -> Real {
     return 0.0;
 }

@@ -1,6 +1,6 @@
 //! Tests the absorption and emission of media against quadrature along paths in closed form.
 
-use bentray::program::{Choice, RaySkipping, Schedule};
+use bentray::program::{ProgramOptions, RaySkipping, Schedule};
 use bentray::render::{RenderSettings, Renderer, Rendering};
 use bentray::scene::Scene;
 use glam::DVec3;
@@ -10,8 +10,8 @@ use crate::support::{gpu, scene};
 
 const TABLE: &str = include_str!("tables/filters.tsv");
 
-fn rendered(scene: &Scene, choice: Choice) -> Rendering {
-    Renderer::new(&gpu(), scene, RenderSettings { choice, ..RenderSettings::default() }).unwrap().render().unwrap()
+fn rendered(scene: &Scene, options: ProgramOptions) -> Rendering {
+    Renderer::new(&gpu(), scene, RenderSettings { options, ..RenderSettings::default() }).unwrap().render().unwrap()
 }
 
 /// One ray from a place in a direction, to a white screen through another place.
@@ -50,7 +50,7 @@ fn filters_are_as_exact_as_they_are_asked_to_be() {
             let places = [from, along, to].map(|text| vector(text).unwrap());
             let filter = format!("{filter}, tolerance = {tolerance}");
             let branches = if medium.starts_with("ball") { "max_splits = 2" } else { "" };
-            let picture = rendered(&scene(&to_screen(medium, &filter, places, branches)), Choice::default());
+            let picture = rendered(&scene(&to_screen(medium, &filter, places, branches)), ProgramOptions::default());
             let expected = vector(left).unwrap().to_array();
             for (channel, expected) in expected.into_iter().enumerate() {
                 let found = f64::from(picture.band.color[channel][0]);
@@ -70,7 +70,7 @@ fn filters_follow_integrated_paths() {
     let rays = "method = \"dormand-prince\"\ntolerance = 1e-6";
     for row in columns(TABLE).filter(|row| row[0].starts_with("kind")) {
         let places = [row[2], row[3], row[4]].map(|text| vector(text).unwrap());
-        let picture = rendered(&scene(&to_screen(row[0], row[1], places, rays)), Choice::default());
+        let picture = rendered(&scene(&to_screen(row[0], row[1], places, rays)), ProgramOptions::default());
         for (channel, expected) in vector(row[5]).unwrap().to_array().into_iter().enumerate() {
             let found = f64::from(picture.band.color[channel][0]);
             assert!((found - expected).abs() < 2e-4 * expected.max(1.0), "{}: {found} for {expected}", row[0]);
@@ -86,7 +86,7 @@ fn lenses_filter_by_the_length_of_their_paths() {
                 interior = { kind = \"luneburg\", c = 2, absorption = [0.9, 0.6, 0.3] }\n";
     for rays in ["", "closed_forms = false\nmethod = \"rk4\"\n"] {
         let text = text.replace("[sky]", &format!("{rays}[sky]"));
-        let picture = rendered(&scene(&text), Choice::default());
+        let picture = rendered(&scene(&text), ProgramOptions::default());
         for (channel, expected) in [0.812_713_1_f32, 0.365_884_1, 0.093_505_6].into_iter().enumerate() {
             let found = picture.band.color[channel][0];
             assert!((found - expected).abs() < 2e-5, "{rays}: {found} for {expected}");
@@ -105,7 +105,7 @@ fn media_glow() {
              [materials.wall]\nkind = \"emissive\"\ncolor = [1, 0.5, 0]\n[[objects]]\nshape = \"box\"\nmaterial = \"wall\"\n\
              center = [0, 0, -3]\nsize = [4, 4, 2]\n"
         );
-        let picture = rendered(&scene(&text), Choice::default());
+        let picture = rendered(&scene(&text), ProgramOptions::default());
         for (channel, expected) in [0.990_333_2_f32, 0.341_404_26, 0.6].into_iter().enumerate() {
             let found = picture.band.color[channel][4];
             assert!((found - expected).abs() < 1e-6, "{transport}: {found} for {expected}");
@@ -145,7 +145,7 @@ fn balls_absorb_in_every_order_of_reflection() {
     {
         let samples = if rays.contains(" 8") { "samples = 1" } else { "samples = 64" };
         let text = BALL.replace("samples = 64", samples).replace("[[objects]]", &format!("{rays}\n[[objects]]"));
-        let picture = rendered(&scene(&text), Choice::default());
+        let picture = rendered(&scene(&text), ProgramOptions::default());
         for channel in 0..3 {
             let own = picture.band.color[channel].iter().map(|x| f64::from(*x));
             let off: Vec<f64> = own.zip(&exact).map(|(x, e)| x - e[channel]).filter(|x| x.is_finite()).collect();
@@ -167,10 +167,10 @@ fn every_schedule_filters_alike() {
     ];
     for text in texts.map(|text| text.replace("[rays]", "[rays]\nmax_segments = 60")) {
         let scene = scene(&text);
-        let usual = rendered(&scene, Choice::default());
+        let usual = rendered(&scene, ProgramOptions::default());
         for schedule in Schedule::ALL {
             for masks in [RaySkipping::List, RaySkipping::Off] {
-                let other = rendered(&scene, Choice { schedule, masks, ..Choice::default() });
+                let other = rendered(&scene, ProgramOptions { schedule, masks, ..ProgramOptions::default() });
                 assert!(other.band == usual.band, "{schedule:?} {masks:?}\n{text}");
             }
         }
@@ -184,7 +184,7 @@ fn bad_filters_are_counted() {
     for filter in
         ["coefficient = 'x - 1'", "transmittance = '1.5 - x'", "coefficient = '1/(x - 1.2)^2', tolerance = 1e-6"]
     {
-        let picture = rendered(&scene(&to_screen("straight", filter, straight, "")), Choice::default());
+        let picture = rendered(&scene(&to_screen("straight", filter, straight, "")), ProgramOptions::default());
         assert!(picture.totals.unfiltered > 0, "{filter}");
         assert!(picture.totals.to_string().contains("absorption not converged"), "{}", picture.totals);
     }
@@ -205,7 +205,7 @@ fn formulas_belong_to_their_objects() {
         ball(-1.0, "\"1 + 0*x\"", 0),
         ball(1.0, "\"2 + 0*x\"", 5)
     );
-    let picture = rendered(&scene(&text), Choice::default());
+    let picture = rendered(&scene(&text), ProgramOptions::default());
     for (found, expected) in picture.band.color[0].iter().zip([(-1.0_f32).exp(), (-2.0_f32).exp()]) {
         assert!((found - expected).abs() < 1e-5, "{found} for {expected}");
     }
@@ -218,7 +218,7 @@ fn filters_follow_orbits() {
                 [law]\nkind = \"schwarzschild\"\nabsorption = { coefficient = \"0.02 + 0.2*exp(-r^2/20)\" }\n\
                 [rays]\nbounding_sphere = { radius = 30 }\nmethod = ";
     let [planar, solved] = ["\"planar\"\n", "\"dormand-prince\"\ntolerance = 1e-6\n"]
-        .map(|method| rendered(&scene(&format!("{text}{method}")), Choice::default()).band.color);
+        .map(|method| rendered(&scene(&format!("{text}{method}")), ProgramOptions::default()).band.color);
     assert!(planar[0].iter().filter(|x| **x > 0.1).count() > 12);
     for (found, expected) in planar[0].iter().zip(&solved[0]) {
         assert!((found - expected).abs() < 1e-3, "{found} for {expected}");
