@@ -1,4 +1,4 @@
-//! Structures: a hierarchy, a grid and nothing find the same first hit on every arc, to the last bit.
+//! Acceleration structures: a hierarchy, a grid and brute force find bit-identical first hits on every arc.
 
 use std::fmt::Write as _;
 use std::path::Path;
@@ -11,12 +11,12 @@ use bentray::scene::Scene;
 use crate::shaders::Random;
 use crate::support::gpu;
 
-/// Each coordinate up to so far from 0.
+/// Returns a random point whose coordinates are at most `reach` from 0.
 fn point(random: &mut Random, reach: f64) -> [f64; 3] {
     [0; 3].map(|_| random.within(-reach, reach))
 }
 
-/// Loose triangles, small and large, some of them twice in the same place.
+/// Returns separate triangles, small and large, some of them twice in one position.
 fn triangles(random: &mut Random, count: usize) -> String {
     let mut obj = String::new();
     for i in 0..count {
@@ -35,10 +35,10 @@ fn triangles(random: &mut Random, count: usize) -> String {
     obj
 }
 
-/// Shapes of every solid that has lists.
+/// Every shape that is stored in lists.
 const SHAPES: [&str; 6] = ["sphere", "ellipsoid", "box", "cylinder", "plane", "disk"];
 
-/// So many of all shapes, about so large, in places that overlap.
+/// Returns `of_each` objects of every shape, about `about` large, in positions that overlap.
 fn shapes(random: &mut Random, of_each: usize, about: f64) -> String {
     let mut text = String::new();
     for i in 0..of_each {
@@ -70,7 +70,7 @@ fn starts(random: &mut Random, count: usize) -> Vec<[f64; 6]> {
     (0..count).map(|_| ray(random)).collect()
 }
 
-/// Laws by the arcs that they make: lines, short ones, long ones in many pieces, chords over many steps.
+/// Laws with different arcs: lines, short arcs, long arcs in many pieces, and chords over many steps.
 const RAYS: [&str; 4] = [
     "[law]\nkind = \"straight\"\n[rays]\n",
     "[law]\nkind = \"schwarzschild\"\ncenter = [0, 0, 14]\n[rays]\nmethod = \"rk4\"\n",
@@ -78,7 +78,7 @@ const RAYS: [&str; 4] = [
     "[law]\nkind = \"lorenz\"\norder = 2\nsigma = 0.1\nrho = 0.28\nbeta = 0.027\n[rays]\nmethod = \"rk4\"\nstep = 0.1\nsegment = \"chord\"\nsteps_per_segment = 4\n",
 ];
 
-/// Where the rays end under one of `RAYS`, by one structure and schedule.
+/// Returns the ends of the rays under one of `RAYS`, with one structure and schedule.
 fn ends(
     folder: &Path,
     keys: &str,
@@ -98,7 +98,7 @@ fn ends(
     trace(&gpu(), &scene, &settings, rays).unwrap().0
 }
 
-/// Every structure against none, under every law: the arcs that were tested, over all laws.
+/// Compares every structure with brute force under every law, and returns the number of tested arcs over all laws.
 fn arcs_agree(folder: &Path, objects: &str, rays: &[[f64; 6]], structures: &[(&str, Schedule)]) -> f64 {
     let mut arcs = 0.0;
     for keys in RAYS {
@@ -117,7 +117,7 @@ fn arcs_agree(folder: &Path, objects: &str, rays: &[[f64; 6]], structures: &[(&s
     arcs
 }
 
-/// On 100,000 random arcs and more.
+/// Checks at least 100,000 random arcs.
 #[test]
 fn every_structure_finds_the_same_first_hit() {
     let mut random = Random::new(5);
@@ -132,7 +132,7 @@ fn every_structure_finds_the_same_first_hit() {
     assert!(arcs > 1e5, "{arcs} segments");
 }
 
-/// Large ones, so few that they are written out.
+/// Checks large objects, few enough to be written out in the shaders.
 #[test]
 fn lists_written_out_are_the_same_lists() {
     let mut random = Random::new(9);
@@ -147,7 +147,7 @@ fn program_of(scene: &Scene, geometry: &Geometry) -> Result<Program, ProgramErro
     Program::new(scene, &geometry.analysis, &options, geometry.extent())
 }
 
-/// The structure is what the scene asks for, and a few shapes are a list where it does not say.
+/// Checks that the structure is the requested one, and that a few shapes are a list if the scene requests none.
 #[test]
 fn the_structure_follows_the_scene() {
     let scene = |accelerate: &str, of_each| {
@@ -175,13 +175,13 @@ fn the_structure_follows_the_scene() {
         let part = format!("segment/structure/{}", search.name());
         assert_eq!(parts.contains(&part), kinds > 0, "{accelerate}, {of_each} of each: {parts}");
         assert_eq!(parts.contains("segment/near_balls"), structure.near, "{parts}");
-        // As many as a mask has bits for, beside the structure's; a search of everything rules nothing out.
+        // A mask has this many bits in addition to the structure; brute force has no masks.
         assert_eq!(structure.near, accelerate != "none" && (of_each != 6 || accelerate != "auto"));
         assert_eq!(structure.written_out, accelerate == "auto");
     }
 }
 
-/// Twenty heaps of triangles that rays pass beside, and a wall behind them.
+/// Writes twenty heaps of triangles, next to which rays pass, and a wall behind them.
 fn heaps(each: usize) -> tempfile::TempDir {
     let mut obj = String::new();
     for i in 0..20 * each {
@@ -203,8 +203,7 @@ fn heap_scene(folder: &tempfile::TempDir, accelerate: &str) -> Scene {
     Scene::parse(&text, &folder.path().join("scene.toml"), &[]).unwrap_or_else(|error| panic!("{error}"))
 }
 
-/// A walk that one pass cannot hold goes on in the next, in traces and in pictures, which record more passes when they see that
-/// theirs were too few.
+/// A traversal that exceeds one pass continues in the next, in traces and in images; images record more passes if there were too few.
 #[test]
 fn long_walks_go_on_in_every_structure() {
     let gpu = gpu();
@@ -227,8 +226,8 @@ fn long_walks_go_on_in_every_structure() {
     }
 }
 
-/// What lies in one cell is tested in one go. Where that is more than a device runs in one pass, as of a detailed thing in a wide scene,
-/// rays end as failed, and are counted.
+/// The contents of one cell are tested at once. If they exceed the work limit of a pass, as with a small detailed object in a large
+/// scene, rays end as failed and are counted.
 #[test]
 fn a_heap_in_one_cell_fails_in_sight_or_is_met() {
     let gpu = gpu();
@@ -265,7 +264,7 @@ fn a_heap_in_one_cell_fails_in_sight_or_is_met() {
     }
 }
 
-/// What does not move is not built again, and what moves is.
+/// Only the structures of objects that move are rebuilt.
 #[test]
 fn a_structure_is_kept_while_nothing_moves() {
     let text =

@@ -25,12 +25,12 @@ fn at_infinity(law: &str, method: &str) -> Scene {
     scene(&format!("[law]\n{}\n{}\n{rays}", lines(kind), lines(&rest)))
 }
 
-/// The angle from the direction +x that a ray was sent in, towards the center below it.
+/// Returns the angle between the direction +x, in which a ray was sent, and its end, towards the center below it.
 fn turned(ray: &Traced) -> f64 {
     -ray.v[1].atan2(ray.v[0])
 }
 
-/// Two angles' difference, whole turns aside.
+/// Returns the difference of two angles, without whole turns.
 fn off(a: f64, b: f64) -> f64 {
     ((a - b + PI).rem_euclid(TAU) - PI).abs()
 }
@@ -62,8 +62,8 @@ fn deflections_at_infinity() {
     }
 }
 
-/// Scattering by an inverse-square center has a closed form, 2 atan(M / (b v²)): what verification measures of a coarse method is
-/// what the closed form says.
+/// Scattering by an inverse-square center has a closed form, 2 atan(M / (b v²)). The verification of a coarse method measures exactly
+/// this error.
 #[test]
 fn measured_errors_are_the_true_ones() {
     let gpu = gpu();
@@ -84,9 +84,9 @@ fn measured_errors_are_the_true_ones() {
     }
 }
 
-/// The same ten thousand steps in 32 bits and in 64. What the steps round in their positions, of some 10, is some 6e-7 each time, and
-/// comes to 6e-5 where it goes either way; what their sizes round in τ always goes the same way, and would put every end 2e-3 back
-/// along its path.
+/// The same ten thousand steps in 32 bits and in 64. Rounding of positions, which are near 10, is about 6e-7 per step and of either
+/// sign, so that it accumulates to 6e-5. Rounding of step sizes in τ always has one sign, and would move every end back by 2e-3 along
+/// its path.
 #[test]
 fn a_long_flow_ends_when_it_should() {
     let gpu = gpu();
@@ -117,19 +117,19 @@ fn a_calibrated_scene_is_as_accurate_as_was_asked() {
         calibrate(&gpu, &asked, &RenderSettings::default(), None).unwrap().expect("the scene names no method");
     println!("{calibration}");
     assert!(calibration.reached());
-    // Nothing in it is a matter of time.
+    // The result does not depend on time.
     assert_eq!(calibrate(&gpu, &asked, &RenderSettings::default(), None).unwrap(), Some(calibration.clone()));
     let chosen = calibration.applied(&asked);
     let found = verify(&gpu, &chosen, &RenderSettings::default(), 500).unwrap().found;
     let accuracy = asked.accuracy().unwrap();
-    assert!(found.seen.p99 <= accuracy, "{:e} where {accuracy:e} was asked for", found.seen.p99);
-    // A scene that names its method is left alone.
+    assert!(found.seen.p99 <= accuracy, "{:e} where {accuracy:e} was requested", found.seen.p99);
+    // A scene that specifies its method is not changed.
     let named = scene(&format!("{HOLE}method = \"rk4\"\n"));
     assert!(calibrate(&gpu, &named, &RenderSettings::default(), None).unwrap().is_none());
 }
 
-/// What is chosen without a search is right too, for laws that bend rays little and much and where something is in their way; and a
-/// picture that takes long is worth the search.
+/// A choice without a search is also correct, for laws that bend rays little or much and with objects in their way; and an expensive
+/// image is worth the search.
 #[test]
 fn a_small_picture_is_as_accurate_as_was_asked() {
     let gpu = gpu();
@@ -147,9 +147,9 @@ fn a_small_picture_is_as_accurate_as_was_asked() {
         assert!(found.to_string().contains("other methods were not tried"));
         let verified = verify(&gpu, &found.applied(&asked), &RenderSettings::default(), 2000).unwrap().found;
         let accuracy = asked.accuracy().unwrap();
-        assert!(verified.seen.p99 <= accuracy, "{text}: {:e} where {accuracy:e} was asked for", verified.seen.p99);
+        assert!(verified.seen.p99 <= accuracy, "{text}: {:e} where {accuracy:e} was requested", verified.seen.p99);
     }
-    // A line element, a flow and a medium of the shipped scenes, by steps under a tolerance.
+    // A line element, a flow and a medium of the shipped scenes, with steps under a tolerance.
     for name in ["spacetimes/hayward", "fig4b_lorenz", "fig4d_index"] {
         let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("scenes/{name}.toml"));
         let small: Vec<Override> = vec!["image.size=[96, 72]".parse().unwrap()];
@@ -157,7 +157,7 @@ fn a_small_picture_is_as_accurate_as_was_asked() {
         let found = calibrate_for(&gpu, &asked, &RenderSettings::default(), 7000).unwrap().unwrap();
         println!("{name}: {found}");
         let verified = verify(&gpu, &found.applied(&asked), &RenderSettings::default(), 1000).unwrap().found;
-        // Twice what is said: that is measured on other rays, and in 32 bits alone.
+        // Twice the reported error, which is measured on other rays and only in 32 bits.
         let said = found.chosen.error.max(found.accuracy);
         assert!(!found.compared && verified.seen.p99 <= 2.0 * said, "{name}: {:e}, not {said:e}", verified.seen.p99);
     }
@@ -165,7 +165,7 @@ fn a_small_picture_is_as_accurate_as_was_asked() {
     assert!(searched.compared && searched.reached(), "{searched}");
 }
 
-/// A chaotic flow has no accuracy to reach, and says so.
+/// A chaotic flow reaches no accuracy, and the result reports that.
 #[test]
 fn a_calibration_says_what_cannot_be_had() {
     let gpu = gpu();
@@ -177,7 +177,7 @@ fn a_calibration_says_what_cannot_be_had() {
     let calibration = calibrate(&gpu, &flow, &RenderSettings::default(), None).unwrap().unwrap();
     println!("{calibration}");
     assert!(!calibration.reached() && calibration.to_string().contains("no method reaches"));
-    // On orbits that never end nothing can be measured, whatever the methods' errors seem to be.
+    // On orbits that never end nothing can be measured, whatever errors the methods appear to have.
     let bound = scene(
         "[law]\nkind = \"sources\"\nsources = [{ position = [0, 0, 0], strength = 100 }]\n[rays]\nbounding_sphere = { radius = 100 }\n\
          max_segments = 200\n",
@@ -189,9 +189,9 @@ fn a_calibration_says_what_cannot_be_had() {
     assert!(calibration.to_string().contains("no method can be measured"));
 }
 
-/// b < √27 M and moving inwards falls in; everything else escapes: for rays from anywhere, in every direction.
+/// Rays with b < √27 M that move inward fall in, and all others escape: for any position and direction.
 #[test]
-#[allow(clippy::many_single_char_names)] // the formulas' own letters
+#[allow(clippy::many_single_char_names)] // the letters of the formulas
 fn every_fate_is_right() {
     let gpu = gpu();
     let mut random = Random::new(81);
@@ -246,7 +246,7 @@ fn nothing_goes_wrong_in_silence() {
     }
 }
 
-/// A controller without its cap jumps over the hole, at every tolerance alike: the table finds that out.
+/// A controller without its cap jumps over the black hole at every tolerance, and the table reveals this.
 #[test]
 fn a_controller_without_its_cap_is_found_out() {
     let gpu = gpu();
@@ -261,7 +261,7 @@ fn a_controller_without_its_cap_is_found_out() {
     assert!(found.silent > 0, "{found:?}");
 }
 
-/// A ray that a picture's pixel stands for is the same whether it is followed with the picture or alone.
+/// The ray of a pixel is the same if it is followed alone and if it is followed with the whole image.
 #[test]
 fn chosen_pixels_are_the_pictures_own() {
     let gpu = gpu();
@@ -276,7 +276,7 @@ fn chosen_pixels_are_the_pictures_own() {
     }
 }
 
-/// Nobody is warned of scenes that are as they should be.
+/// No shipped scene causes a warning.
 #[test]
 fn no_shipped_scene_is_too_fine_for_32_bits() {
     for path in crate::support::shipped_scenes() {

@@ -1,6 +1,6 @@
 //! Tests the images of cameras other than the pinhole: fisheyes, panoramas and stereo pairs.
 
-#![allow(clippy::float_cmp)] // shares of four samples are exact
+#![allow(clippy::float_cmp)] // multiples of a quarter are exact
 
 use std::sync::Arc;
 
@@ -12,7 +12,7 @@ use glam::DVec3;
 
 use crate::support::{gpu, scene};
 
-/// A glowing ball before a sky, in straight space.
+/// A glowing ball in front of a sky, in straight space.
 const BALL: &str = "[rays]\nbounding_sphere = { radius = 20 }\n[sky]\ncolor = [0.1, 0.2, 0.3]\n\
     [materials.m]\nkind = \"emissive\"\ncolor = { checker = [[1, 0.5, 0.2], [0.2, 0.9, 1]] }\n\
     [[objects]]\nshape = \"sphere\"\nmaterial = \"m\"\n";
@@ -29,7 +29,7 @@ fn with_status() -> RenderSettings {
     }
 }
 
-/// From pixel center to pixel center: a panorama as large as the sky, from anywhere in straight space, is that sky.
+/// A panorama as large as the environment map, from any position in straight space, equals that map at pixel centers.
 #[test]
 fn a_panorama_of_a_bare_sky_is_the_sky() {
     let text = "[camera]\nkind = \"panorama\"\nposition = [1, 2, 3]\nlook_at = [1, 2, -9]\n\
@@ -51,8 +51,8 @@ fn a_panorama_of_a_bare_sky_is_the_sky() {
             }
         }
         println!("{fov:?}: off by {off:e} of {brightest}");
-        // Places in the sky err by 4e-7/π of its width (the arc tangent's), and a texel's neighbor may differ by all there is;
-        // the sky is stored in 16 bits.
+        // Positions in the sky err by 4e-7/π of its width (the error of the arc tangent), and neighboring texels may differ by the full
+        // range; the sky is stored in 16 bits.
         let place = size[0] as f32 * (4e-7 / std::f32::consts::PI + 6.0 * f32::EPSILON);
         assert!(off <= brightest * (2.0 * place + 0.5 / 1024.0), "{fov:?}: off by {off}");
     };
@@ -62,7 +62,7 @@ fn a_panorama_of_a_bare_sky_is_the_sky() {
     check([90.0, 45.0], first, part);
 }
 
-/// Each half of a pair is, bit for bit, what a camera in the place of that eye sees.
+/// Each half of a stereo pair is bit-identical to the image of a camera in the position of that eye.
 #[test]
 fn each_view_is_the_picture_of_its_eye() {
     for kind in [
@@ -102,7 +102,7 @@ fn each_view_is_the_picture_of_its_eye() {
     }
 }
 
-/// Where the ball's middle is in each view, in parts of half of the view's width.
+/// Returns the position of the ball's center in each view, as a fraction of half of the view's width.
 fn places(camera: &str) -> [f64; 2] {
     let text = format!("[image]\nsize = [800, 400]\n[camera]\nposition = [0, 0, 5]\n{camera}\n{BALL}radius = 0.25\n");
     let picture = rendered(&scene(&text), with_status());
@@ -117,8 +117,8 @@ fn places(camera: &str) -> [f64; 2] {
     })
 }
 
-/// With parallel views a ball 5 away is shifted by its parallax; where views cross at it, it is not shifted; nearer than that
-/// the left eye has it further right.
+/// With parallel views a ball at a distance of 5 is shifted by its parallax. If the views converge at it, it is not shifted; if it is
+/// closer than that, it is further right for the left eye.
 #[test]
 fn views_cross_where_they_shall() {
     let stereo = |more: &str| format!("stereo = {{ separation = 0.5{more} }}");
@@ -126,7 +126,7 @@ fn views_cross_where_they_shall() {
         let [left, right] = places(camera);
         assert!((left - want).abs() < slack && (right + want).abs() < slack, "{camera}: {left} {right}, not ±{want}");
     };
-    // A pixel is 1/200. The ball's outline is an ellipse about a point a little further out than its middle, by 1e-4.
+    // A pixel is 1/200. The ball's outline is an ellipse around a point that is further out than its center by 1e-4.
     let shift = 0.25 / 5.0;
     ball(&format!("fov = 90\n{}", stereo("")), shift, 4e-3);
     ball(&format!("fov = 90\n{}", stereo(", convergence = 5")), 0.0, 1e-3);
@@ -135,7 +135,7 @@ fn views_cross_where_they_shall() {
     ball(&fisheye(90.0, ""), shift.atan() / 45.0_f64.to_radians(), 2e-3);
     ball(&fisheye(90.0, ", convergence = 5"), 0.0, 1e-3);
     ball(&format!("kind = \"panorama\"\nfov = [90, 90]\n{}", stereo(", convergence = 5")), 0.0, 1e-3);
-    // Parallel rays from parallel planes have no parallax but the eyes' distance; that of crossing ones depends on depth.
+    // Parallel rays from parallel planes have only the distance between the eyes as parallax; for converging views it depends on depth.
     ball(&format!("kind = \"orthographic\"\nheight = 4\n{}", stereo("")), 0.125, 1e-3);
     ball(&format!("kind = \"orthographic\"\nheight = 4\n{}", stereo(", convergence = 5")), 0.0, 1e-3);
 }
@@ -143,8 +143,8 @@ fn views_cross_where_they_shall() {
 const HOLE: &str = "[law]\nkind = \"schwarzschild\"\n[rays]\nbounding_sphere = { radius = 30 }\nmethod = \"planar\"\n\
     [sky]\ncolor = [0.1, 0.2, 0.3]\n";
 
-/// Outside the disk there are no rays, also where the others come from far away, in either frame: what is counted there is
-/// neither sky nor an error, and every pixel's alpha is the share of its samples inside.
+/// Outside the disk there are no rays, for either observer and for a sky at infinity: the counts there are neither sky nor errors, and
+/// the alpha of every pixel is the fraction of its samples that are inside.
 #[test]
 fn outside_the_disk_there_is_nothing() {
     for (frame, more) in [("coordinate", ""), ("static", ""), ("static", "sky_at_infinity = true\n")] {
@@ -161,7 +161,7 @@ fn outside_the_disk_there_is_nothing() {
             assert_eq!((totals.rays, totals.unfollowed()), (4 * 96 * 64, 0), "{totals}");
             let inside = (totals.rays - totals.count(Status::Outside)) as f64;
             let disk = 4.0 * std::f64::consts::PI * 32.0 * 32.0;
-            assert!((inside / disk - 1.0).abs() < 0.01, "{frame}: {inside} samples, where the disk has {disk}");
+            assert!((inside / disk - 1.0).abs() < 0.01, "{frame}: {inside} samples, but the disk has {disk}");
             assert!(totals.count(Status::Captured) > 20 && totals.count(Status::Escaped) > 9000, "{totals}");
             let Some(Plane::Id(statuses)) = picture.band.layer(Layer::Status) else { panic!("a status layer") };
             let (mut covered, outside) = (0.0, Status::Outside.code());
@@ -181,8 +181,8 @@ fn outside_the_disk_there_is_nothing() {
     }
 }
 
-/// The shadow of a hole, in a picture whose angles are even, seen by an observer at rest: sin θ = 3√3 M √(1 − 2M/r)/r. Round
-/// and round it is seen again, every 360°, at the angles 2πk ± θ.
+/// The shadow of a black hole for a static observer has the radius sin θ = 3√3 M √(1 − 2M/r)/r. In an image with a constant angle per
+/// pixel it repeats every 360°, at the angles 2πk ± θ.
 #[test]
 fn the_shadow_has_its_size_in_a_fisheye() {
     let r: f64 = 6.0;
@@ -207,7 +207,7 @@ fn the_shadow_has_its_size_in_a_fisheye() {
     }
 }
 
-/// Tiles of any size give the same pair of views, with samples and alpha.
+/// Tiles of any size give identical pairs of views, with samples and alpha.
 #[test]
 fn tiles_do_not_show_in_pairs() {
     let text = format!(
@@ -225,7 +225,7 @@ fn tiles_do_not_show_in_pairs() {
     }
 }
 
-/// In 64 bits rays start in directions of 64 bits, of every camera: of a pixel whose center is no number of 32.
+/// In 64 bits the rays of every camera start in 64-bit directions, also for a pixel whose center is not a 32-bit number.
 #[test]
 fn rays_of_64_bits_start_in_directions_of_64_bits() {
     let pixel = [2, 0];
@@ -256,7 +256,7 @@ fn rays_of_64_bits_start_in_directions_of_64_bits() {
     }
 }
 
-/// A camera that moves outside of the bounding sphere sees along the same lines as one whose sphere is large enough to hold it.
+/// A moving camera outside the bounding sphere sees along the same lines as one whose bounding sphere contains it.
 #[test]
 fn rays_come_to_the_bounding_sphere_as_an_observer_sees_them() {
     let starts = |radius: f64| {
@@ -274,7 +274,7 @@ fn rays_come_to_the_bounding_sphere_as_an_observer_sees_them() {
         let [v, along] = [&inside[3..], &outside[3..]].map(DVec3::from_slice);
         assert!(v.distance(along) < 1e-5, "{v} and {along}");
         let way = there - from;
-        assert!(way.cross(v).length() < 1e-4 * v.length(), "{from} along {v} does not come to {there}");
+        assert!(way.cross(v).length() < 1e-4 * v.length(), "{from} along {v} does not reach {there}");
         entered += usize::from(way.length() > 1.0);
     }
     assert!(entered >= 3, "{entered} rays enter");

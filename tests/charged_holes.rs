@@ -1,4 +1,4 @@
-//! Light round holes with a charge and without spin.
+//! Light around black holes with a charge and without spin.
 
 use bentray::model::Law;
 use bentray::model::law::{HoleForm, KerrNewman, RoundHole};
@@ -9,8 +9,8 @@ use crate::kerr_fates::fate;
 use crate::shaders::Random;
 use crate::support::{gpu, scene};
 
-/// Without spin the hole of Kerr and Newman is Reissner's and Nordström's: the same paths in the same places, also under `planar` and with a
-/// cosmological constant.
+/// Without spin a Kerr–Newman black hole is a Reissner–Nordström one: paths are identical, also with `planar` and with a cosmological
+/// constant.
 #[test]
 fn charged_holes_are_those_of_kerr_and_newman_without_spin() {
     let gpu = gpu();
@@ -45,7 +45,7 @@ fn charged_holes_are_those_of_kerr_and_newman_without_spin() {
                 assert_eq!(other.status, fates[i], "Q = {charge}: {:?}", rays[i]);
                 if end.status == Status::Escaped {
                     let off = DVec3::from(end.x).distance(DVec3::from(other.x)) / 30.0;
-                    // What winds about the hole errs by e^π more each half turn.
+                    // The error of light that winds around the black hole grows by e^π per half turn.
                     let bound = if other.steps > 200 { 1e3 * bound } else { bound };
                     assert!(off < bound, "Q = {charge}, {method}: off by {off:e}, {:?}", rays[i]);
                 }
@@ -54,7 +54,7 @@ fn charged_holes_are_those_of_kerr_and_newman_without_spin() {
     }
 }
 
-/// Photon spheres, horizons and the least impact parameters of what gets away.
+/// Photon spheres, horizons and the smallest impact parameters of light that escapes.
 #[test]
 fn charged_holes_have_their_landmarks() {
     for (charge, sphere, impact, horizon) in [

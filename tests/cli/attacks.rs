@@ -1,4 +1,4 @@
-//! Small files that ask for much, and scenes that are wrong where it does not show: each is refused, bounded or said.
+//! Small files that demand much, and scenes with hidden errors: each is rejected, limited or reported.
 
 use std::fmt::Write;
 use std::time::{Duration, Instant};
@@ -7,7 +7,7 @@ use exr::prelude::read_first_rgba_layer_from_file;
 
 use super::{BALL, Folder, Ran};
 
-/// Longer than any of them may take on a busy machine, and shorter than what they took.
+/// Longer than any of them may take on a busy machine, and shorter than they took before.
 const LONG: Duration = Duration::from_secs(40);
 
 #[track_caller]
@@ -18,7 +18,7 @@ fn soon(run: impl FnOnce() -> Ran) -> Ran {
     ran
 }
 
-/// A PNG's header of so many pixels, with the checksum that belongs to it, and nothing else.
+/// Returns the header of a PNG of this size with the correct checksum, and nothing else.
 fn forged(width: u32, height: u32) -> Vec<u8> {
     let mut chunk = b"IHDR".to_vec();
     chunk.extend(width.to_be_bytes());
@@ -61,12 +61,12 @@ fn many_mistakes_are_counted_and_some_are_shown() {
     let ran = soon(|| folder.run("check scene.toml"));
     let ran = ran.fails(1, &["unknown key `k0`", "at least 1000 errors, of which 100 are shown"]);
     assert!(ran.err.len() < 100_000, "{}", ran.err.len());
-    // What is nested without end is shown near the mistake.
+    // Endless nesting is shown near the error.
     folder.write("scene.toml", format!("a = {}", "[".repeat(1_000_000)));
     let ran = soon(|| folder.run("check scene.toml"));
     assert!(ran.err.len() < 2000, "{}", ran.err.len());
     ran.fails(1, &["scene.toml:1:", "not valid TOML: "]);
-    // A key that several kinds have is named once.
+    // A key that several kinds have is listed once.
     folder.write("scene.toml", "[camera]\nposition = [0, 0, 5]\nfow = 3\n[rays]\nbounding_sphere = { radius = 9 }\n");
     let ran = folder.run("check scene.toml").fails(1, &["unknown key `fow`"]);
     let keys = ran.err.split("valid keys: ").nth(1).unwrap().lines().next().unwrap();
@@ -79,7 +79,7 @@ fn long_films_are_checked_by_some_of_their_frames() {
     let track = "[animation]\nframes = 1000000\n[[animation.tracks]]\nkey = \"camera.fov\"\nvalues = [50, 60]\n";
     let folder = Folder::with(&(BALL.to_owned() + track));
     soon(|| folder.run("check scene.toml")).succeeds();
-    // A mistake in the last one is found.
+    // An error in the last track is found.
     let track = track.replace("60", "200");
     folder.write("scene.toml", BALL.to_owned() + &track);
     let ran = soon(|| folder.run("check scene.toml"))
@@ -107,7 +107,7 @@ fn bytes_that_are_no_text_are_named_with_their_line() {
     ran.fails(1, &["rays.csv: line 3: this byte is not valid UTF-8; save the file as UTF-8"]);
 }
 
-/// All numbers of an EXR's color, and whether a PNG is black all over.
+/// Returns all numbers of an EXR's color, and whether a PNG is entirely black.
 fn seen(folder: &Folder) -> (Vec<f32>, bool) {
     let image = read_first_rgba_layer_from_file(
         folder.path("a.exr"),
@@ -144,7 +144,7 @@ fn nothing_is_said_of_no_rays() {
     let scene = "[image]\nsize = [16, 16]\n[camera]\nposition = [0, 0, 15]\n[law]\nkind = \"sources\"\n[[law.sources]]\n\
         position = [0, 0, 0]\nstrength = 20\n[rays]\nbounding_sphere = { radius = 50 }\n[sky]\ncolor = [0.1, 0.2, 0.3]\n";
     let folder = Folder::with(scene);
-    // No ray of it can escape, whatever follows it.
+    // No ray of this scene can escape, whichever method follows it.
     for method in ["euler", "rk4", "dormand-prince"] {
         let ran = folder.run(&format!("render scene.toml -o a.exr --verify 20 --method {method}"));
         assert!(!ran.err.contains("within 0.0e0"), "{}", ran.err);
@@ -154,7 +154,7 @@ fn nothing_is_said_of_no_rays() {
     assert_eq!(ran.code, Some(1), "{}", ran.err);
 }
 
-/// What files take of memory is bounded as the device's is, and said before they are read.
+/// The memory of files is limited like the memory of the device, and reported before they are read.
 #[test]
 fn files_take_no_more_memory_than_they_may() {
     let folder = Folder::with(&BALL.replace("color = [0.2, 0.3, 0.4]", "image = \"sky.png\""));
@@ -165,12 +165,12 @@ fn files_take_no_more_memory_than_they_may() {
     let ran = render("1MiB");
     assert_eq!(ran.code, Some(1));
     ran.says(&[&refused[0], "help: reduce its size, or raise the limit with --memory"]);
-    // A mesh is known by its file's length first.
+    // The size of a mesh is first estimated from the length of its file.
     let mesh = "[[objects]]\nshape = \"mesh\"\nfile = \"large.obj\"\nmaterial = \"red\"\n";
     folder.write("scene.toml", format!("{BALL}{mesh}"));
     folder.write("large.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n".to_owned() + &"# and so on\n".repeat(200_000));
     render("1MiB").says(&["large.obj`: it needs 2.3 MiB of memory"]);
-    // What is read anew for every frame takes the place of what was there.
+    // Files that are read again for every frame replace the previous ones.
     let header = "NRRD0004\ntype: uint8\ndimension: 3\nsizes: 64 64 64\nencoding: raw\n\n";
     folder.write("grid.nrrd", [header.as_bytes(), &vec![100; 64 * 64 * 64]].concat());
     let law = "[law]\nkind = \"medium\"\nindex = { kind = \"grid\", file = \"grid.nrrd\", min = [-3, -3, -3], max = [3, 3, 3], \

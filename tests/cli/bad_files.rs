@@ -1,4 +1,4 @@
-//! Meshes, pictures and tables of rays that are missing, empty or broken.
+//! Meshes, images and tables of rays that are missing, empty or broken.
 
 use std::io::Cursor;
 
@@ -49,7 +49,7 @@ fn broken_meshes_are_named_with_the_place_in_their_own_file() {
     assert_eq!(folder.names(), ["mesh.obj", "scene.toml"]);
 }
 
-/// A picture of noise, which no format compresses to nothing.
+/// Returns an image of noise, which no format compresses well.
 fn encoded(format: ImageFormat) -> Vec<u8> {
     let noise = |x: u32, y: u32| (x * 7919 + y * 104_729) as f32 % 1.0e3 / 1.0e3;
     let picture = Rgb32FImage::from_fn(32, 16, |x, y| Rgb([noise(x, y), noise(y, x), 0.5]));
@@ -81,7 +81,7 @@ fn broken_skies_and_textures_are_named_where_the_scene_names_them() {
         for (which, bytes) in broken.into_iter().enumerate() {
             folder.write(&format!("sky.{kind}"), bytes);
             let ran = folder.run(&format!("check scene.{kind}"));
-            // Nothing in an EXR tells that numbers in its blocks have changed, unless they do not unpack.
+            // In an EXR changed numbers in a block can only be detected if the block does not unpack.
             if !(kind == "exr" && which == 3 && ran.code == Some(0)) {
                 ran.fails(1, &[&format!("scene.{kind}:9:9: cannot use the image `sky.{kind}`: "), "1 error"]);
             }
@@ -156,7 +156,7 @@ fn tables_of_rays_are_refused_with_the_line_and_the_column() {
     assert_eq!(folder.text("out.csv"), "an old table");
 }
 
-/// What has no end is not read until memory is gone, and what is no scene is said to be what it is.
+/// Endless input is not read until memory runs out, and a file that is not a scene is reported as such.
 #[test]
 #[cfg(unix)]
 fn what_is_no_scene_and_no_file_is_refused() {
@@ -168,7 +168,7 @@ fn what_is_no_scene_and_no_file_is_refused() {
     folder.run("check a.glb").fails(1, &["this is a glTF file, not text", "`bentray import FILE -o scene.toml`"]);
 }
 
-/// Scenes are not written under a picture's name, and the command that is said can be typed.
+/// Scenes are not written under the name of an image, and the printed command can be typed.
 #[test]
 fn scenes_that_are_written_have_names_of_scenes() {
     let folder = Folder::with(BALL);

@@ -1,4 +1,4 @@
-//! Options that are wrong: usage errors exit with 2, wrong values for the scene with 1.
+//! Invalid options: usage errors exit with 2, values that are wrong for the scene with 1.
 
 use super::{BALL, Folder};
 
@@ -28,14 +28,14 @@ fn usage_errors_exit_with_2() {
     for (arguments, texts) in cases {
         folder.run(arguments).fails(2, texts).says(&["--help"]);
     }
-    // Bare, it says what there is, to stderr.
+    // Without arguments the program prints its usage to stderr.
     let bare = folder.run("");
     assert_eq!((bare.code, bare.out.as_str()), (Some(2), ""));
     bare.says(&["Usage: bentray <COMMAND>", "render", "check", "trace", "devices", "wgsl", "new"]);
     assert_eq!(folder.names(), ["scene.toml"]);
 }
 
-/// A flag that would be of no effect is refused.
+/// A flag without effect is rejected.
 #[test]
 fn segments_a_pass_are_for_passes_of_several() {
     let folder = Folder::with(BALL);

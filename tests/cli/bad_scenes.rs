@@ -3,7 +3,7 @@
 
 use super::{BALL, Folder};
 
-/// A scene with one mistake, and what its message must say.
+/// A scene with one error, and texts that its message must contain.
 type Case = (&'static str, &'static [&'static str]);
 
 /// Syntax and names.
@@ -106,7 +106,7 @@ fn hold(cases: &[Case]) {
     for (scene, texts) in cases {
         folder.write("scene.toml", scene);
         let ran = folder.run("render scene.toml -o out.png").fails(1, texts).says(&["1 error"]);
-        // The same words, whichever command reads the scene.
+        // The message is identical for every command that reads the scene.
         let others = [folder.run("check scene.toml"), folder.run("wgsl scene.toml")];
         for other in others {
             assert_eq!(other.fails(1, &[]).err, ran.err);

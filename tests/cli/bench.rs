@@ -2,7 +2,7 @@
 
 use super::{BALL, Folder};
 
-/// The 2004 case by its keys, small.
+/// The keys of the 2004 benchmark scene, at a small size.
 const SMALL: &str = "--size 16x16 --repeats 1";
 
 #[test]
@@ -34,7 +34,7 @@ fn json_is_for_scripts() {
     assert_eq!(tables["ceilings"].as_array().unwrap().len(), 3);
     let [hole, ball] = tables["scenes"].as_array().unwrap().as_slice() else { panic!("{tables}") };
     assert!(hole["faster relative to bare"].as_f64().unwrap() > 0.0 && hole["steps per ray"].as_f64().unwrap() > 10.0);
-    // In straight space there are no steps.
+    // Straight space has no steps.
     assert!(ball["faster relative to bare"].is_null() && ball["method"] == "exact");
     assert_eq!((&json["name"], &json["repeats"], &json["size"]), (&"limit".into(), &1.into(), &vec![16, 16].into()));
 }

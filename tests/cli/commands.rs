@@ -1,4 +1,4 @@
-//! `check`, `wgsl`, `devices`, `new`, and the help of all.
+//! `check`, `wgsl`, `devices` and `new`, and the help of all commands.
 
 use bentray::scene::REFERENCE;
 
@@ -48,12 +48,12 @@ fn check_goes_through_all_scenes_before_it_fails() {
         ran.out.lines().filter(|line| line.starts_with("  pass ")).count()
     };
     assert!(passes("--schedule paper --set rays.method=rk4") > passes(""));
-    // A hole that spins too fast for a horizon is allowed, and said.
+    // A black hole that spins too fast for a horizon is allowed and reported.
     for (spin, said) in [("0.9", false), ("1.1", true)] {
         let ran = folder.run(&format!("check scene.toml --set law={{kind=\"kerr-newman\",spin={spin}}}")).succeeds();
         assert_eq!(ran.out.contains("no horizon"), said, "{}", ran.out);
     }
-    // So is a line element without a space somewhere.
+    // A line element that is not a space everywhere is also allowed and reported.
     for (element, said) in [("-dt^2 + dx^2 + dy^2 + dz^2", false), ("-dt^2 + (8 - r)*dx^2 + dy^2 + dz^2", true)] {
         let law = format!("law={{kind=\"metric\",line_element=\"{}\",scale=\"3\"}}", element.replace(' ', ""));
         let ran = folder.run(&format!("check scene.toml --set {law}")).succeeds();
@@ -82,7 +82,7 @@ fn check_prints_every_key() {
     }
 }
 
-/// A schedule is data: what a round dispatches can be read before anything runs.
+/// A schedule is data: the dispatches of a sample can be listed before anything runs.
 #[test]
 fn check_lists_the_dispatches_of_a_sample() {
     let folder = Folder::with(BALL);
@@ -99,7 +99,7 @@ fn check_lists_the_dispatches_of_a_sample() {
     let fused = listed("fused");
     let passes: Vec<&str> = fused.iter().map(|line| line.split(' ').next().unwrap()).collect();
     assert!(passes[0] == "setup" && passes[1] == "advance" && passes.last() == Some(&"shade"), "{passes:?}");
-    // The state goes back and forth.
+    // The state alternates between two copies.
     assert!(fused[1].contains("state 0 -> 1") && fused[2].contains("state 1 -> 0"), "{fused:?}");
 }
 
@@ -120,7 +120,7 @@ fn wgsl_prints_each_pass_with_the_files_over_the_pieces() {
         let (_, parts) = listed.split_once(" modules: ").unwrap();
         assert_eq!(files.join(" "), parts);
         assert!(listed.contains(&format!("{:>2} modules: ", files.len())), "{listed}");
-        // It is a program as it stands, once the line with the pass's name is gone.
+        // Without the line with the name of the pass, the output is a valid program.
         let source = pass.split_once('\n').unwrap().1;
         naga::front::wgsl::parse_str(source).unwrap_or_else(|e| panic!("{}", e.emit_to_string(source)));
     }
@@ -135,7 +135,7 @@ fn devices_are_listed_with_what_they_can_do() {
     for text in ["driver", "largest texture", "storage textures", "timestamps", "f64"] {
         assert!(ran.out.contains(text), "no `{text}` in {}", ran.out);
     }
-    // A part of the name picks the device, in any case.
+    // Any part of the name selects the device, in upper or lower case.
     let name = ran.out.split_whitespace().next().unwrap();
     let folder = Folder::with(BALL);
     let ran = folder.run(&format!("render scene.toml -o a.png --device {}", name.to_uppercase())).succeeds();
@@ -165,7 +165,7 @@ fn a_reader_that_goes_away_is_no_fault() {
     for arguments in ["check scene.toml", "check --reference", "wgsl scene.toml", "devices", "help scenes", "help"] {
         let mut command = folder.command(arguments);
         let mut child = command.stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap();
-        // As `| head` does.
+        // This is the behavior of `| head`.
         drop(child.stdout.take());
         let ended = child.wait_with_output().unwrap();
         let message = String::from_utf8(ended.stderr).unwrap();
@@ -202,7 +202,7 @@ fn help_names_every_option() {
     assert_eq!(version.trim(), concat!("bentray ", env!("CARGO_PKG_VERSION")));
 }
 
-/// Whatever a new user is pointed to works at once.
+/// Everything that a new user is referred to works at once.
 #[test]
 fn templates_are_written_and_render() {
     let folder = Folder::new();
@@ -229,7 +229,7 @@ fn shells_man_and_doctors_are_served() {
     }
     let page = folder.run("man").succeeds().out;
     assert!(page.contains(".TH bentray 1"));
-    // `make release` reads there which pages there are.
+    // `make release` reads the list of pages there.
     let others = page.lines().filter_map(|line| line.strip_prefix("bentray\\-")?.strip_suffix("(1)"));
     let others: Vec<&str> = others.collect();
     assert!(others.len() > 10 && others.contains(&"render"), "{others:?}");
