@@ -7,7 +7,7 @@ use super::{BALL, Folder, Ran};
 const FILM: &str = "[law]\nkind = \"schwarzschild\"\nmass = 0.2\n[animation]\nframes = 3\n\
     [[animation.tracks]]\nkey = \"camera.position\"\nvalues = [[0, 0, 5], [1, 0, 5]]\n";
 
-/// A script that `farm` wrote, as a queue runs it for one part.
+/// Runs a script that `farm` wrote as a queue runs it for one part.
 fn script(folder: &Folder, name: &str, variables: &[(&str, &str)]) -> Ran {
     let mut command = Command::new("bash");
     command.arg(name).current_dir(folder.path(".")).env("BENTRAY_CACHE", "");
@@ -19,7 +19,7 @@ fn script(folder: &Folder, name: &str, variables: &[(&str, &str)]) -> Ran {
     }
 }
 
-/// Five parts of a film of three frames: some frames are cut in two.
+/// Checks five parts of a video of three frames, so that some frames are cut in two.
 #[test]
 fn parts_of_a_film_come_together_to_the_byte() {
     let folder = Folder::with(&format!("{BALL}{FILM}"));
@@ -52,7 +52,7 @@ fn parts_of_a_film_come_together_to_the_byte() {
     assert_eq!((finished.code, finished.out.as_str()), (Some(0), "3 images, all present and consistent\n"));
     assert!(names.map(|name| folder.read(name)) == at_once);
     assert_eq!(status(""), "5 of 5 parts are done\n");
-    // Files of another scene are not taken for parts of this one.
+    // Files of another scene do not count as parts of this one.
     finish("--set sky.color=[0,0,1]").fails(1, &["5 of 5 parts are missing or belong to another scene: 1-5"]);
 }
 

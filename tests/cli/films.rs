@@ -47,7 +47,7 @@ fn films_without_ffmpeg_hold_the_frames() {
     // Hundredths of a second: 3, 4, 3 and so on.
     let shown: u32 = gif.iter().map(|frame| frame.delay().numer_denom_ms().0).sum();
     assert_eq!(shown, 170);
-    // Of frames that are asked for as well, and by a command of its own, it is the same.
+    // The video is identical if frames are requested as well, and if a separate command makes it.
     folder.run("video 0.png 1.png 2.png 3.png 4.png -o more.gif --rate 30").succeeds();
     assert!(folder.read("film.gif") == folder.read("again.gif") && folder.read("film.gif") == folder.read("more.gif"));
 }
@@ -64,7 +64,7 @@ fn a_film_that_was_stopped_goes_on() {
     assert_eq!(rendered.len(), 2, "{rendered:?}");
     assert!(folder.read("film.png") == folder.read("whole.png"));
     assert_eq!(folder.names(), ["film.png", "scene.toml", "whole.png"]);
-    // In parts, too.
+    // The video is also identical if it is rendered in parts.
     for part in 1..=3 {
         folder.run(&format!("render scene.toml -o film.png --frames all --part {part}/3")).succeeds();
     }
@@ -88,7 +88,7 @@ fn videos_are_refused_without_ffmpeg() {
 fn videos_hold_the_frames_with_ffmpeg() {
     let folder = film();
     for name in ["film.mp4", "film.webm"] {
-        // Odd sides too.
+        // Odd sides are also allowed.
         folder.run(&format!("render scene.toml -o {name} -o {{frame}}.png --frames all --size 131x83")).succeeds();
         let before = folder.read(name);
         let mut decoder = Command::new("ffmpeg");
@@ -131,7 +131,7 @@ fn what_is_no_film_is_refused() {
     }
 }
 
-/// What is wrong with a later frame is said before the first is rendered, with its number.
+/// An error in a later frame is reported with its number before the first frame is rendered.
 #[test]
 fn frames_are_looked_at_before_any_is_rendered() {
     let fall = "[animation]\nframes = 12\n[[animation.tracks]]\nkey = \"camera.fov\"\n\
@@ -143,7 +143,7 @@ fn frames_are_looked_at_before_any_is_rendered() {
     assert_eq!(folder.names(), ["scene.toml"]);
 }
 
-/// The line that repeats a film names no file that is gone when the film is there.
+/// The command that reproduces a video does not name its deleted frames.
 #[test]
 fn a_film_is_repeated_without_its_frames() {
     let folder = Folder::with(&format!("{BALL}{FILM}[law]\nkind = \"schwarzschild\"\n"));

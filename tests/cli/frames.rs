@@ -28,7 +28,7 @@ fn film() -> Folder {
     Folder::with(&format!("{}{FILM}", BALL.replace("[rays]", "[rays]\nmethod = \"rk4\"")))
 }
 
-/// `(1 − t)a + tb`, as the program takes it.
+/// Returns `(1 − t)a + tb` as the program reads it.
 fn between<const N: usize>(t: f64, a: [f64; N], b: [f64; N]) -> String {
     let mixed: Vec<String> = (0..N).map(|i| ((1.0 - t) * a[i] + t * b[i]).to_string()).collect();
     format!("[{}]", mixed.join(","))
@@ -39,7 +39,7 @@ fn frames_are_the_stills_of_their_values_to_the_byte() {
     let folder = film();
     let ran = folder.run("render scene.toml -o film_{frame:3}.exr -o {frame}.png --frames all").succeeds();
     for k in 0..5 {
-        ran.err.lines().find(|line| line.starts_with(&format!("frame {k}: ready after "))).expect("a line a frame");
+        ran.err.lines().find(|line| line.starts_with(&format!("frame {k}: ready after "))).expect("one line per frame");
         let t = f64::from(k);
         let mass = [0.1, 0.1, (0.5 * 0.1) + (0.5 * 0.3), 0.3, 0.2][k as usize];
         let (place, color) = (
@@ -56,7 +56,7 @@ fn frames_are_the_stills_of_their_values_to_the_byte() {
         assert!(folder.read("still.exr") == folder.read(&format!("film_{k:03}.exr")), "frame {k}");
         assert!(folder.read("still.png") == folder.read(&format!("{k}.png")), "frame {k}");
     }
-    // A share of the film, and a part of a frame.
+    // A range of the video's frames, and a part of a frame.
     let one = folder.read("film_003.exr");
     folder.run("render scene.toml -o film_{frame:3}.exr --frames 3..4").succeeds();
     assert!(folder.read("film_003.exr") == one);
@@ -66,7 +66,7 @@ fn frames_are_the_stills_of_their_values_to_the_byte() {
     assert!(folder.read("whole.exr") == one);
 }
 
-/// A film goes on where it was stopped: frames that the same made are left as they are, all others are rendered.
+/// A video continues after an interruption: frames with identical settings stay, and all others are rendered.
 #[test]
 fn finished_frames_are_known_by_what_made_them() {
     let folder = film();
@@ -83,7 +83,7 @@ fn finished_frames_are_known_by_what_made_them() {
     assert_eq!(rendered, ["1", "3", "4"]);
     ran.says(&["2 of 5 existed already, rendered with the same settings"]);
     assert!(film("all").0.is_empty() && folder.read("0.exr") == first);
-    // By another scene, method, number of samples or look.
+    // Changes of the scene, method, number of samples, appearance or window.
     for (change, why) in [
         ("--set sky.color=[0,0,1]", "0.exr is rendered again: its `sky.color` is `[0.2, 0.3, 0.4]`, not `[0, 0, 1]`"),
         ("--set rays.method=euler", "0.exr is rendered again: its `method` is `"),
@@ -102,7 +102,7 @@ fn finished_frames_are_known_by_what_made_them() {
     film("0").1.says(&["0.png is rendered again: it is not an image from this version of bentray"]);
 }
 
-/// What was finished before a frame that cannot be rendered stays, and the key that is at fault is named.
+/// Frames that were finished before an invalid frame stay, and the message names the responsible key.
 #[test]
 fn a_frame_of_another_program_names_the_key_before_any_is_rendered() {
     let folder = film();
@@ -163,7 +163,8 @@ fn frames_that_cannot_be_are_refused() {
         .fails(1, &["--frames requires a scene with [animation]"]);
 }
 
-/// Frames of a list are those of the film, divided among parts, and rendered once; every place in a name has the number.
+/// Frames of a list equal those of the video, are divided among parts, and are rendered once; every placeholder in a name receives the
+/// number.
 #[test]
 fn lists_of_frames_are_rendered_whole_in_parts_and_as_a_film() {
     let folder = Folder::with(&format!(
@@ -177,7 +178,7 @@ fn lists_of_frames_are_rendered_whole_in_parts_and_as_a_film() {
     assert_eq!(folder.names(), names);
     let film = "render scene.toml -o x{frame}_{frame:2}.png -o film.gif --frames 1,3,5,8";
     folder.run(film).succeeds().says(&["4 of 4 existed already", "film.gif: 4 frames, 24 per second"]);
-    // The jobs of an array with a step render all of them between them.
+    // The jobs of an array with a step render all frames among them.
     for id in [0, 2, 4] {
         let mut command = folder.command("render scene.toml -o a_%03d.png --frames 8,1-5:2 --part auto");
         let array = [("ID", id), ("MIN", 0), ("MAX", 4), ("COUNT", 3), ("STEP", 2)];

@@ -1,4 +1,4 @@
-//! `bentray help`: commands and topics of the guide.
+//! `bentray help`: commands and topics of the manual.
 
 use bentray::guide::pages;
 
@@ -24,9 +24,9 @@ fn help_prints_every_page_and_the_help_of_every_command() {
         let help = folder.run(&format!("help {}", page.name)).succeeds();
         let shown = page.shown();
         assert!(help.out.ends_with(&shown), "{}", page.name);
-        // One that is a command too has that one's help before it.
+        // A topic that is also a command is preceded by the help of that command.
         assert_eq!(help.out == shown, page.name != "light", "{}", page.name);
-        // A link is a command to type, not brackets and a file.
+        // A link is shown as a command to type, without brackets and file name.
         let prose: String = shown.split("```").step_by(2).collect();
         assert!(!prose.contains("]("), "{shown}");
     }

@@ -1,4 +1,4 @@
-//! `import`: a glTF file as a scene that is rendered.
+//! `import`: a glTF file becomes a scene that can be rendered.
 
 use std::io::Cursor;
 
@@ -7,8 +7,8 @@ use image::{ImageFormat, Rgb, RgbImage};
 
 use super::Folder;
 
-/// A sign of 2 × 2 units that shows a picture of four colors and needs no light, and a gray wall at its right, 1 unit behind it, under a
-/// lamp of 4π candela before it. The camera is 5 units before the sign.
+/// Returns a file with a sign of 2 × 2 units, which shows an image of four colors and needs no light, and with a gray wall at its
+/// right, 1 unit behind it and lit by a light of 4π candela in front. The camera is 5 units in front of the sign.
 fn file() -> Vec<u8> {
     let mut png = Cursor::new(Vec::new());
     let colors = [[255, 0, 0], [0, 255, 0], [0, 0, 255], [255, 255, 255]];
@@ -58,12 +58,12 @@ fn a_file_becomes_a_scene_that_shows_it() {
     folder.write("room.glb", file());
     let ran = folder.run("import room.glb -o new.toml").succeeds();
     assert!(ran.out.contains("wrote new.toml; render it with"), "{}", ran.out);
-    assert_eq!(ran.err, "", "all of it has a place");
+    assert_eq!(ran.err, "", "everything is imported");
     assert_eq!(folder.names(), ["new-sign.png", "new.toml", "room.glb"]);
     folder.run("check new.toml").succeeds();
     folder.run("render new.toml -o new.png --size 80x40 --samples 1 --strict").succeeds();
     let picture = Picture::load(&folder.path("new.png")).unwrap();
-    // The tangent of half the angle is 0.4: 2 units at the distance 5 are half of the height, and a pixel is a tenth of a unit there.
+    // The tangent of half the angle is 0.4: at a distance of 5 units, 2 units are half of the height, and a pixel is a tenth of a unit.
     let at = |x: f64, y: f64, z: f64| {
         let per_unit = 50.0 / (5.0 - z);
         let (column, row) = ((40.0 + x * per_unit) as usize, (20.0 - y * per_unit) as usize);
@@ -75,12 +75,13 @@ fn a_file_becomes_a_scene_that_shows_it() {
         (-0.5, -0.5, [0.0, 0.0, 1.0]),
         (0.5, -0.5, [1.0; 3]),
     ] {
-        // Between pixels of the picture half a pixel of ours is 0.05 of its own.
+        // Between texels, half a pixel is 0.05 texels.
         for (found, expected) in at(x, y, 0.0).into_iter().zip(expected) {
             assert!((found - expected).abs() < 0.11, "{x} {y}: {found} {expected}");
         }
     }
-    // 4 at the distance 2 is 1, on gray 0.5, and a tenth of that always. Half a pixel away the light comes slantwise: cos⁴ of it.
+    // An intensity of 4 at a distance of 2 is 1, times the gray 0.5, plus a constant tenth of that. Half a pixel away the oblique light
+    // has the factor cos⁴.
     let wall = at(2.4, 0.0, -1.0);
     assert!(wall.iter().all(|value| (value - 0.55).abs() < 0.01), "{wall:?}");
     let scene = Scene::load(&folder.path("new.toml"), &[]).unwrap();

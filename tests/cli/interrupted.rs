@@ -1,4 +1,4 @@
-//! A file is written whole or not at all, also if the program is killed or asked to end. The tests start it by GNU `env`.
+//! A file is written completely or not at all, even if the program is killed or asked to end. The tests start it with GNU `env`.
 
 #![cfg(target_os = "linux")]
 
@@ -19,12 +19,12 @@ impl Drop for Killed {
     }
 }
 
-/// Minutes of work.
+/// A render that takes minutes.
 const LONG: &str =
     "render scene.toml -o a.png -o a.exr --size 800x600 --samples 4096 --set law.kind=schwarzschild --set law.mass=0.1";
 
-/// The program with signals that it is to ignore, and with all others as they are by default, whatever started the tests: `nohup` and
-/// a shell's `&` have them ignored.
+/// Returns a command that ignores these signals and handles all others by default, whatever started the tests: `nohup` and a shell's
+/// `&` make programs ignore signals.
 fn with_signals(folder: &Folder, ignored: &str, arguments: &str) -> Command {
     let program = folder.command(arguments);
     let mut command = Command::new("env");
@@ -37,7 +37,7 @@ fn with_signals(folder: &Folder, ignored: &str, arguments: &str) -> Command {
     command
 }
 
-/// Starts the long render, with signals that it is to ignore, and waits until both files are under way.
+/// Starts the long render with these signals ignored, and waits until both files are being written.
 fn begin(folder: &Folder, ignored: &str) -> (Killed, BufReader<ChildStderr>) {
     let mut command = with_signals(folder, ignored, LONG);
     let mut child = Killed(command.stderr(Stdio::piped()).spawn().unwrap());
@@ -45,7 +45,7 @@ fn begin(folder: &Folder, ignored: &str) -> (Killed, BufReader<ChildStderr>) {
     let mut line = String::new();
     lines.read_line(&mut line).unwrap();
     assert!(line.starts_with("device: "), "{line}");
-    // The files are open by now, under other names; a little later rays are on their way.
+    // The files are now open under temporary names; a little later rays are being traced.
     let until = Instant::now() + Duration::from_secs(10);
     while unfinished(folder) < 2 && Instant::now() < until {
         sleep(Duration::from_millis(10));
@@ -60,7 +60,7 @@ fn unfinished(folder: &Folder) -> usize {
     ending(folder, ".part").len()
 }
 
-/// The files of a folder whose names end so.
+/// Returns the names in a folder that end this way.
 fn ending(folder: &Folder, end: &str) -> Vec<String> {
     folder.names().into_iter().filter(|name| name.ends_with(end)).collect()
 }
@@ -73,7 +73,7 @@ fn a_render_that_is_killed_leaves_the_old_files_whole() {
     let (child, _lines) = begin(&folder, "");
     drop(child);
     assert!(old == [folder.read("a.png"), folder.read("a.exr")]);
-    // Nothing of it is in the way of the next run.
+    // The next run is not obstructed by the remains.
     folder.run("render scene.toml -o a.png -o a.exr --size 8x8").succeeds();
     assert!(old != [folder.read("a.png"), folder.read("a.exr")]);
 }
@@ -97,7 +97,7 @@ fn a_render_that_is_asked_to_end_leaves_nothing_behind() {
     }
 }
 
-/// `nohup` has it ignore SIGHUP, and a shell without job control has commands in the background ignore SIGINT.
+/// `nohup` makes it ignore SIGHUP, and a shell without job control makes commands in the background ignore SIGINT.
 #[test]
 fn signals_that_were_ignored_before_stay_so() {
     let folder = Folder::with(BALL);
@@ -136,7 +136,7 @@ fn a_film_that_is_asked_to_end_finishes_the_frame_in_hand() {
         format!("stopped by SIGINT; {} of 500 frames are on disk; run the command again to continue", frames.len());
     assert!(rest.contains(&there), "{rest:?}");
     assert_eq!(frames.len() + 1, folder.names().len(), "{:?}", folder.names());
-    // Each is a picture.
+    // Each frame is a complete image.
     for name in frames {
         assert!(image::load_from_memory(&folder.read(&name)).is_ok(), "{name}");
     }
@@ -156,7 +156,8 @@ fn a_new_picture_takes_the_old_ones_place() {
     assert_eq!(folder.names(), ["a.png", "scene.toml"]);
 }
 
-/// Killed at any moment, a film has whole frames only, and the same command makes of it what an undisturbed one is.
+/// A video that is killed at any moment has only complete frames, and the same command then makes the same file as an uninterrupted
+/// one.
 #[test]
 fn a_film_that_is_killed_goes_on_to_the_same_bytes() {
     const FILM: &str =

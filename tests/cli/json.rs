@@ -15,7 +15,7 @@ const GRID: &str = "[image]\nsize = [16, 12]\n[camera]\nposition = [0, 1, 6]\n[r
 const HOLE: &str = "--set law.kind=schwarzschild --set law.mass=0.2 --set rays.method=rk4";
 
 impl Ran {
-    /// The objects on stdout, one a line, and nothing else.
+    /// Returns the objects on stdout, one per line, and checks that there is nothing else.
     #[track_caller]
     fn objects(&self) -> Vec<Value> {
         let object = |line: &str| serde_json::from_str(line).unwrap_or_else(|error| panic!("{error}: {line}"));
@@ -24,7 +24,7 @@ impl Ran {
         objects
     }
 
-    /// The only one.
+    /// Returns the only object.
     #[track_caller]
     fn object(&self) -> Value {
         let objects = self.objects();
@@ -32,7 +32,7 @@ impl Ran {
         objects.into_iter().next().unwrap()
     }
 
-    /// The line on stderr that has this in it.
+    /// Returns the line on stderr that contains this text.
     #[track_caller]
     fn line(&self, text: &str) -> &str {
         self.err.lines().find(|line| line.contains(text)).unwrap_or_else(|| panic!("no `{text}` in {}", self.err))
@@ -66,7 +66,7 @@ fn a_render_has_the_numbers_of_its_words() {
     let followed = &picture["integrator"];
     assert_eq!((&followed["method"], &followed["precision"]), (&"rk4".into(), &"f32".into()));
     assert!(followed["scaled_step"].as_f64().unwrap() > 0.0 && followed["max_segments"].is_u64(), "{followed}");
-    // The files are what they are without it.
+    // The files do not depend on `--json`.
     let with = folder.read("a.exr");
     folder.run(&format!("render scene.toml -o a.png -o a.exr --samples 4 {HOLE}")).succeeds();
     assert!(folder.read("a.exr") == with);
@@ -218,10 +218,10 @@ fn a_farm_says_what_to_run_and_which_parts_are_done() {
     assert_eq!((&whole["images"], &whole["files"]), (&3.into(), &vec!["0.png", "1.png", "2.png"].into()));
 }
 
-/// Keys below which names are those of something else: keys of scenes, statuses, buffers, columns.
+/// Keys whose members have foreign names: keys of scenes, statuses, buffers, columns.
 const NAMES: [&str; 4] = ["integrator", "terminations", "bytes_per_pixel_of", "tables"];
 
-/// All keys of a value, at any depth.
+/// Collects all keys of a value, at any depth.
 fn keys(value: &Value, found: &mut BTreeSet<String>) {
     match value {
         Value::Array(all) => all.iter().for_each(|value| keys(value, found)),
@@ -237,7 +237,7 @@ fn keys(value: &Value, found: &mut BTreeSet<String>) {
     }
 }
 
-/// The guide's page names every key that is printed, and no key that is not.
+/// The manual's page names every key that is printed, and no other key.
 #[test]
 fn every_key_is_in_the_guide_and_no_other() {
     let folder = Folder::with(&format!("{BALL}{FILM}"));
@@ -268,7 +268,7 @@ fn every_key_is_in_the_guide_and_no_other() {
     let prose: String = page.split("```").step_by(2).collect();
     let is_key = |word: &&str| word.chars().all(|c| c.is_ascii_lowercase() || c.is_ascii_digit() || c == '_');
     let said: BTreeSet<String> = prose.split('`').skip(1).step_by(2).filter(is_key).map(str::to_owned).collect();
-    // What else it names: commands, and another page.
+    // Other names on the page: commands, and another page.
     let others = ["check", "doctor", "kubernetes", "parallel", "performance"].map(str::to_owned).into();
     let said: BTreeSet<String> = said.difference(&others).cloned().collect();
     assert_eq!(printed, said);

@@ -6,7 +6,7 @@ const HOLE: &str = "[law]\nkind = \"schwarzschild\"\n[rays]\nbounding_sphere = {
     [materials.m]\ndiffuse = [1, 1, 1]\n[[objects]]\nshape = \"sphere\"\ncenter = [-3, 3.5, 1]\nradius = 0.2\nmaterial = \"m\"\n\
     [[lights]]\nkind = \"point\"\nposition = [12, 0, 0]\nshadows = \"curved-rays\"\n";
 
-/// Round a hole a light has an image on either side; an inverse-square center that repels leaves a place without any.
+/// Near a black hole a light has an image on either side; behind a repulsive inverse-square center a point can have no image.
 #[test]
 fn paths_from_lights_are_listed() {
     let folder = Folder::with(HOLE);
@@ -44,7 +44,7 @@ fn what_cannot_be_lit_is_said() {
     folder.run("light scene.toml --at places.csv -o -").fails(1, &["requires a light with shadows = \"curved-rays\""]);
 }
 
-/// Light in a grid: what it takes is said, and what does not fit is refused with both numbers.
+/// The memory of a photon grid is printed, and one that does not fit is rejected with both numbers.
 #[test]
 fn grids_say_what_they_take() {
     let scene = "[image]\nsize = [16, 12]\n[camera]\nposition = [0, 1, 6]\n[rays]\nbounding_sphere = { radius = 9 }\n\
@@ -62,7 +62,7 @@ fn grids_say_what_they_take() {
     let ran = folder.run("light scene.toml --at places.csv -o -").succeeds();
     let line = ran.out.lines().nth(1).unwrap();
     let spread: f64 = line.rsplit(',').next().unwrap().parse().unwrap();
-    // The square of the distance; and a place far from all that is lit.
+    // The square of the distance, and a position far from all lit surfaces.
     assert!(line.starts_with("0,0,lit,,,,") && (spread / 3.02 - 1.0).abs() < 0.1, "{line}");
     assert_eq!(ran.out.lines().nth(2), Some("1,0,outside,,,,,,,"));
 }

@@ -29,7 +29,7 @@ fn a_picture_is_written_though_its_messages_find_no_room() {
     let status = folder.command("render scene.toml -o a.exr").stderr(full()).status().unwrap();
     assert_eq!(status.code(), Some(0));
     assert_eq!(folder.names(), ["a.exr", "scene.toml"]);
-    // An error is not told either, but it is one.
+    // An error cannot be printed either, but it sets the exit code.
     let status = folder.command("render none.toml -o b.exr").stderr(full()).status().unwrap();
     assert_eq!(status.code(), Some(1));
 }

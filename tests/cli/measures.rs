@@ -5,7 +5,7 @@ use super::{BALL, Folder};
 
 const HOLE: &str = "--set law.kind=schwarzschild --set law.mass=0.2 --set objects.0.center=[1.5,0,0]";
 
-/// The errors are printed, and stored with the picture as text.
+/// The errors are printed, and stored as text in the image.
 #[test]
 fn a_picture_carries_its_measured_error() {
     let folder = Folder::with(BALL);
@@ -32,14 +32,14 @@ fn a_picture_carries_its_measured_error() {
     }
 }
 
-/// What is chosen is said; a scene that names a method is not measured.
+/// The chosen method is printed; a scene that specifies a method is not measured.
 #[test]
 fn a_calibration_says_what_it_chose() {
     let folder = Folder::with(BALL);
     let ran = folder.run(&format!("render scene.toml -o a.png {HOLE} --set rays.accuracy=1e-3")).succeeds();
     let line = ran.err.lines().find(|line| line.starts_with("method auto: ")).unwrap_or_else(|| panic!("{}", ran.err));
     assert!(line.contains("99 % of the rays within") && line.contains("evaluations per ray"), "{line}");
-    // Named, it makes the same picture to the bit.
+    // If it is specified, this method gives a bit-identical image.
     let (chosen, _) = line.strip_prefix("method auto: ").and_then(|line| line.split_once("), ")).unwrap();
     let (_, segments) = line.split_once("max_segments ").unwrap();
     let (method, settings) = chosen.split_once(" (").unwrap();
@@ -54,7 +54,7 @@ fn a_calibration_says_what_it_chose() {
         .fails(1, &["expected an angle in radians, or in pixels such as \"0.1px\""]);
 }
 
-/// A picture says how its rays were followed, all of it: another render does the same, whatever its scene says.
+/// An image stores all settings of its rays, so that another render follows rays identically for any scene.
 #[test]
 fn the_method_from_a_picture_is_repeated() {
     let folder = Folder::with(BALL);
@@ -76,7 +76,7 @@ fn the_method_from_a_picture_is_repeated() {
             assert!(folder.read("a.exr") == folder.read("b.exr"), "{method} of {of}");
         }
     }
-    // What does not fit another scene is named as it was given.
+    // A setting that does not fit another scene is reported in its original form.
     folder.run(&format!("render scene.toml -o a.png {HOLE} --set rays.method=planar")).succeeds();
     folder.run("render scene.toml -o b.exr --method-from a.png").fails(
         1,
@@ -88,7 +88,7 @@ fn the_method_from_a_picture_is_repeated() {
     folder.run("render scene.toml -o b.exr --method-from scene.toml").fails(1, &["scene.toml: the name must end in"]);
 }
 
-/// What a search came to is kept for the next render, and never changes it: not where it is missing, broken, or of another scene.
+/// The result of a search is stored for the next render and never changes it, even if it is missing, broken, or from another scene.
 #[test]
 fn a_decision_is_kept_and_changes_nothing() {
     let folder = Folder::with(BALL);
@@ -113,12 +113,12 @@ fn a_decision_is_kept_and_changes_nothing() {
     for name in ["b.exr", "c.exr"] {
         assert!(folder.read(name) == folder.read("a.exr"), "{name}");
     }
-    // Another accuracy, and other contents of the same file, are other decisions.
+    // A different accuracy and a changed scene file are separate decisions.
     run(&format!("{} --set rays.accuracy=1e-4", render("d.exr")), "kept");
     folder.write("scene.toml", format!("{BALL}\n[output]\nexposure = 1\n"));
     run(&render("d.exr"), "kept");
     assert_eq!(kept(), 3);
-    // What is broken is found anew.
+    // A broken entry is measured again.
     for entry in std::fs::read_dir(folder.path("kept")).unwrap() {
         std::fs::write(entry.unwrap().path(), "said = 3").unwrap();
     }
@@ -127,8 +127,8 @@ fn a_decision_is_kept_and_changes_nothing() {
     assert!(folder.read("e.exr") == folder.read("a.exr"));
 }
 
-/// Deep at the ring of light 32 bits do not reach a hundredth of a pixel: that is said, with what 64 bits would, and taken if it is
-/// left open.
+/// Close to the photon ring 32 bits do not resolve a hundredth of a pixel. The message reports this and the result with 64 bits, which
+/// are used if the precision is not specified.
 #[test]
 fn where_32_bits_do_not_suffice_64_are_named_or_taken() {
     let folder = Folder::with(
@@ -173,7 +173,7 @@ fn a_chart_is_tables_plots_and_a_page() {
     assert!(
         csv.starts_with("method,setting,ns_per_ray,") && csv.contains("\n\"rk4\",") && csv.contains("\n\"planar\",")
     );
-    assert!(!csv.contains("euler"), "only the methods that were named");
+    assert!(!csv.contains("euler"), "only the requested methods");
     let page = folder.text("report/index.html");
     for text in ["scene_time.svg", "scene_evaluations.svg", "scene_drift_energy.svg", "The fastest method"] {
         assert!(page.contains(text), "{text}");
@@ -201,7 +201,7 @@ fn places_where_methods_fail_are_a_table() {
     assert!(ran.out.contains("centre") && ran.out.contains("given up") && ran.out.contains("silent"), "{}", ran.out);
     let table = folder.text("report/stability.csv");
     assert!(table.contains("centre,rk4,1,1,0,0,0,0,"));
-    // The page explains every column by its name.
+    // The page explains every column under its name.
     let page = folder.text("report/stability.html").to_lowercase();
     for column in table.lines().next().unwrap().split(',').skip(2) {
         let explains = [". ", ">"].map(|before| page.contains(&format!("{before}{column}: ")));
@@ -228,7 +228,7 @@ fn drift_is_measured_when_asked() {
     folder.run(&format!("{trace} {hole} --set rays.sky_at_infinity=true")).fails(1, &["--drift", "sky_at_infinity"]);
 }
 
-/// Tracing in 64 bits gives digits that 32 have not.
+/// Tracing in 64 bits gives digits that 32 bits do not have.
 #[test]
 fn precision_is_chosen_on_the_command_line() {
     let folder = Folder::with(BALL);

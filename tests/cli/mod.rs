@@ -1,6 +1,6 @@
-//! Tests the command line as users see it: the program itself, run in a temporary folder.
+//! Tests the command line as users see it, by running the program in a temporary folder.
 
-#![allow(clippy::float_cmp)] // numbers that are exact by design are compared as such
+#![allow(clippy::float_cmp)] // numbers that are exact by design are compared exactly
 
 mod attacks;
 mod bad_files;
@@ -36,7 +36,7 @@ use std::process::{Command, Stdio};
 
 use tempfile::TempDir;
 
-/// A glowing ball before a sky, in straight space: one program, and quick.
+/// A glowing ball in front of a sky, in straight space: one program, and fast.
 const BALL: &str = r#"
 [image]
 size = [16, 12]
@@ -54,7 +54,7 @@ shape = "sphere"
 material = "red"
 "#;
 
-/// What a run left behind.
+/// The result of a run.
 struct Ran {
     code: Option<i32>,
     out: String,
@@ -62,14 +62,14 @@ struct Ran {
 }
 
 impl Ran {
-    /// Exit code 0.
+    /// Checks that the exit code is 0.
     #[track_caller]
     fn succeeds(self) -> Self {
         assert_eq!(self.code, Some(0), "{}", self.err);
         self
     }
 
-    /// This exit code, with nothing on stdout and all of these texts on stderr.
+    /// Checks that this is the exit code, with nothing on stdout and all of these texts on stderr.
     #[track_caller]
     fn fails(self, code: i32, texts: &[&str]) -> Self {
         assert_eq!(self.code, Some(code), "{}", self.err);
@@ -78,7 +78,7 @@ impl Ran {
         self.says(texts)
     }
 
-    /// All of these texts on stderr.
+    /// Checks that all of these texts are on stderr.
     #[track_caller]
     fn says(self, texts: &[&str]) -> Self {
         for text in texts {
@@ -88,16 +88,16 @@ impl Ran {
     }
 }
 
-/// A folder of its own for a test, gone afterwards; the program runs in it.
+/// A temporary folder for one test, in which the program runs.
 struct Folder(TempDir);
 
 impl Folder {
-    /// An empty one.
+    /// Creates an empty folder.
     fn new() -> Self {
         Self(tempfile::tempdir().unwrap())
     }
 
-    /// One with `scene.toml` in it.
+    /// Creates a folder that contains this `scene.toml`.
     fn with(scene: &str) -> Self {
         let folder = Self::new();
         folder.write("scene.toml", scene);
@@ -120,7 +120,7 @@ impl Folder {
         String::from_utf8(self.read(name)).unwrap()
     }
 
-    /// The names in the folder, sorted.
+    /// Returns the names in the folder, sorted.
     fn names(&self) -> Vec<String> {
         let entries = self.0.path().read_dir().unwrap();
         let mut names: Vec<_> = entries.map(|entry| entry.unwrap().file_name().into_string().unwrap()).collect();
@@ -128,7 +128,7 @@ impl Folder {
         names
     }
 
-    /// The program with these arguments, separated by spaces, but not started yet.
+    /// Returns a command with these arguments, separated by spaces, without starting it.
     fn command(&self, arguments: &str) -> Command {
         let mut command = Command::new(env!("CARGO_BIN_EXE_bentray"));
         command

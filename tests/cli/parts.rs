@@ -1,4 +1,4 @@
-//! `--crop`, `--memory` and `merge`: a picture in parts is the picture.
+//! `--crop`, `--memory` and `merge`: an image made of parts is identical to the whole.
 
 use bentray::output::picture;
 use bentray::program::Layer;
@@ -9,8 +9,8 @@ use super::{BALL, Folder};
 const HOLE: &str = "--set law.kind=schwarzschild --set rays.method=rk4 --set law.mass=0.2 \
                     --set objects.0.center=[1.5,0,0] --set camera.stereo={separation=0.1} --size 40x30 --samples 3";
 
-/// Parts of odd sizes that overlap, each under another schedule and in tiles of another size, make the file that one render
-/// writes: every layer, to the byte.
+/// Overlapping parts of odd sizes, each with another schedule and another tile size, merge to the file of a single render: every layer
+/// is byte-identical.
 #[test]
 fn parts_by_any_schedule_make_the_whole_to_the_byte() {
     let folder = Folder::with(BALL);
@@ -27,12 +27,12 @@ fn parts_by_any_schedule_make_the_whole_to_the_byte() {
     folder.run("merge part2.exr part0.exr part3.exr part1.exr -o made.exr -o made.png").succeeds();
     assert!(folder.read("made.exr") == folder.read("whole.exr"));
     assert!(folder.read("made.png") == folder.read("whole.png"));
-    // A PNG is what is seen through the window.
+    // A PNG shows the part inside the window.
     folder.run(&format!("render scene.toml -o part.png --crop 11,7,29x11 {HOLE}")).succeeds();
     let [whole, part] = ["whole.png", "part.png"].map(|name| image::open(folder.path(name)).unwrap().into_rgb8());
     assert_eq!(part.dimensions(), (29, 11));
     assert!(part.enumerate_pixels().all(|(x, y, pixel)| pixel == whole.get_pixel(11 + x, 7 + y)));
-    // The whole is a part of itself, and what is missing is named.
+    // The whole image is also a valid part, and a missing part is reported.
     folder.run("merge whole.exr part1.exr -o made.exr").succeeds();
     assert!(folder.read("made.exr") == folder.read("whole.exr"));
     folder
@@ -93,7 +93,8 @@ fn parts_and_budgets_that_cannot_be_are_refused() {
     assert_eq!(folder.names(), ["scene.toml"]);
 }
 
-/// Equal parts of a picture and of a film, each rendered on its own, make what one render makes, whoever asked for them and how often.
+/// Equal parts of an image and of a video, rendered separately, give the result of a single render, whoever requested them and how
+/// often.
 #[test]
 fn equal_parts_make_the_whole_to_the_byte() {
     let folder = Folder::with(BALL);
@@ -107,7 +108,7 @@ fn equal_parts_make_the_whole_to_the_byte() {
     let parts = names.join(" ");
     folder.run(&format!("merge {parts} -o made.exr -o made.png")).succeeds();
     assert!(folder.read("made.exr") == folder.read("whole.exr") && folder.read("made.png") == folder.read("whole.png"));
-    // Bands are of equal work, not of equal height: paths that come near the hole take more steps.
+    // Bands are of equal work, not of equal height: paths near the black hole take more steps.
     let far = "--set law.kind=schwarzschild --set law.mass=0.1 --set rays.method=dormand-prince --set rays.tolerance=1e-6 \
                --set objects.0.center=[0,0,-9] --set objects.0.radius=0.1 --size 40x60";
     let work = |part: u32| {
@@ -118,7 +119,7 @@ fn equal_parts_make_the_whole_to_the_byte() {
     };
     let [(outer, first), (inner, middle), _] = [1, 2, 3].map(work);
     assert!(inner < outer && (first / middle - 1.0).abs() < 0.2, "{outer} {first} {inner} {middle}");
-    // What is finished is not rendered again, unless it is of something else.
+    // A finished part is rendered again only if it belongs to something else.
     let again = |more: &str| folder.run(&format!("render scene.toml -o made.exr --part 2/5 {scene} {more}")).succeeds();
     assert!(!again("").err.contains(" rays, "));
     again("--set sky.color=[1,1,1]").says(&["made.part-2-of-5.exr is rendered again: its `sky.color` is", " rays, "]);

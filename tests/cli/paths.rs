@@ -23,7 +23,7 @@ fn pictures_say_their_noise() {
     folder.run("render scene.toml -o one.png --samples 1").succeeds().says(&["noise unknown"]);
     let cut = folder.run("render scene.toml -o cut.png --set path_tracing.max_depth=0").succeeds();
     cut.says(&[" cut "]);
-    // A lamp of radiance 4 is too bright for a clamp of 1, and no sample for one of 5.
+    // An emitter of radiance 4 exceeds a clamp of 1, and no sample exceeds 5.
     let clamped = folder.run("render scene.toml -o clamped.png --set output.clamp=1").succeeds();
     clamped.says(&[" samples clamped, removing "]);
     folder
@@ -48,7 +48,7 @@ fn pictures_go_on_where_they_were() {
         ran.says(&["864 rays"]);
         assert!(std::fs::read(folder.path("more.exr")).unwrap() == long, "{how}");
     }
-    // The file itself may be the one that is written, and layers may be left out.
+    // The output file may be the input file, and layers may be omitted.
     folder.run("render scene.toml -o part.exr -o part.png --samples 11 --continue part.exr").succeeds();
     assert!(std::fs::read(folder.path("part.exr")).unwrap() == long);
     let few =
@@ -89,7 +89,7 @@ fn previews_are_pictures_so_far() {
     folder.run("render scene.toml -o long.exr --preview so_far.exr --preview-every 0 --samples 9").succeeds();
     folder.run("render scene.toml -o more.exr --samples 9 --continue so_far.exr").succeeds().says(&["144 rays"]);
     assert!(std::fs::read(folder.path("more.exr")).unwrap() == std::fs::read(folder.path("long.exr")).unwrap());
-    // Tile by tile as well, and clamped.
+    // The tiles of an image can also be previewed and clamped.
     let tiles = "--set output.clamp=1 --preview b.exr --preview-every 0 --size 64x64 --memory 300KiB --samples 5";
     let looked = folder.run(&format!("render scene.toml -o a.exr {tiles}")).succeeds();
     let at_once = folder.run("render scene.toml -o c.exr --set output.clamp=1 --size 64x64 --samples 5").succeeds();

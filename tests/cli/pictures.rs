@@ -5,7 +5,7 @@ use image::{ColorType, DynamicImage, ImageReader, Rgb32FImage};
 
 use super::{BALL, Folder};
 
-/// A hole with the ball beside it: rays that hit, escape and are captured.
+/// A black hole with the ball next to it: rays that hit, escape and are captured.
 const HOLE: &str =
     "--set law.kind=schwarzschild --set rays.method=rk4 --set law.mass=0.2 --set objects.0.center=[1.5,0,0]";
 
@@ -14,13 +14,13 @@ pub(super) fn decoded(folder: &Folder, name: &str) -> DynamicImage {
     reader.decode().unwrap_or_else(|error| panic!("{name}: {error}"))
 }
 
-/// IEC 61966-2-1, to 0..=1.
+/// The transfer function of IEC 61966-2-1, to 0..=1.
 fn srgb(linear: f64) -> f64 {
     let linear = linear.clamp(0.0, 1.0);
     if linear <= 0.003_130_8 { 12.92 * linear } else { 1.055 * linear.powf(1.0 / 2.4) - 0.055 }
 }
 
-/// The largest difference between a PNG's samples and the curve over the EXR's, in units of the PNG's last bit.
+/// Returns the largest difference between a PNG's samples and the EXR's after the transfer function, in units of the PNG's last bit.
 fn difference(png: &DynamicImage, exr: &Rgb32FImage, top: f64) -> f64 {
     let (png, scale) = (png.to_rgb16(), top / 65_535.0);
     let pairs = png.as_raw().iter().zip(exr.as_raw());
@@ -41,7 +41,7 @@ fn pictures_decode_to_the_scene_in_8_16_and_32_bits() {
     assert_eq!(linear.get_pixel(8, 4).0, [1.0, 0.0, 0.0]);
     assert_eq!(linear.get_pixel(0, 0).0, [0.2, 0.3, 0.4]);
     assert_eq!(png.to_rgb8().get_pixel(8, 4).0, [255, 0, 0]);
-    // Rounding alone is half a unit; the rest is for f32 in the curve.
+    // Rounding alone is half a unit; the rest is the error of the transfer function in f32.
     assert!(difference(&png, &linear, 255.0) <= 0.51);
 
     folder.run("render scene.toml -o a.png --set output.bit_depth=16").succeeds();
@@ -65,8 +65,8 @@ fn exposure_brightens_the_png_and_leaves_the_exr() {
     assert!(difference(&decoded(&folder, "a.png"), &twice, 255.0) <= 0.51);
 }
 
-/// The line that repeats a render does, whatever the scene has become good for: the method that was found is named, and a picture
-/// that came about in steps is made in one.
+/// The printed command reproduces a render, also if defaults would now differ: it names the method that was found, and renders in one
+/// step an image that was rendered in several.
 #[test]
 fn a_render_says_what_repeats_it() {
     let again = |folder: &Folder, ran: &super::Ran| {
@@ -138,10 +138,10 @@ fn exr_layers_are_those_that_were_named() {
         assert_eq!(channels(&folder, "a.exr"), names, "{layers}");
         colors.push((folder.read("a.png"), decoded(&folder, "a.exr").into_rgb32f()));
     }
-    assert!(colors.windows(2).all(|pair| pair[0] == pair[1]), "the colour depends on the layers");
+    assert!(colors.windows(2).all(|pair| pair[0] == pair[1]), "the color depends on the layers");
 }
 
-/// Transparent corners have alpha 0, the disk has 1, and its rim what of it is inside; nothing else has alpha at all.
+/// Transparent corners have alpha 0, the disk has 1, and its rim the fraction of its area inside; no other image has alpha.
 #[test]
 fn only_transparent_corners_have_alpha() {
     let folder = Folder::with(BALL);
@@ -170,14 +170,14 @@ fn only_transparent_corners_have_alpha() {
             assert!(!(15.2..=16.8).contains(&rho) || [0.0, 0.25, 0.5, 0.75, 1.0].contains(&alpha), "{x} {y}: {alpha}");
             assert!(!(rho > 16.8 && alpha != 0.0 || rho < 15.2 && alpha != 1.0), "{x} {y}: {alpha}");
             assert_eq!(f64::from(png.get_pixel(x, y).0[3]), (f64::from(alpha) * 255.0).round(), "{x} {y}");
-            // EXR has color multiplied by alpha, which is what black corners leave.
+            // EXR stores color multiplied by alpha, which equals the color with black corners.
             assert_eq!(pixel.0[..3], black.1.get_pixel(x, y).0, "{x} {y}");
             if alpha == 1.0 && bits == 8 {
                 assert_eq!(png.get_pixel(x, y).0[..3], black.0.get_pixel(x, y).0, "{x} {y}");
             }
             if alpha > 0.0 && alpha < 1.0 {
                 partly += 1;
-                // On the rim a PNG shows the sky's own color.
+                // On the rim a PNG shows the color of the sky unchanged.
                 let sky = [0.2, 0.3, 0.4].map(|c| (srgb(c) * 255.0).round() as u8);
                 assert_eq!(png.get_pixel(x, y).0[..3], sky, "{x} {y}");
             }
@@ -212,7 +212,7 @@ fn exr_layers_hold_what_their_names_say() {
     for i in 0..object.len() {
         let hit = object[i] == 0.0;
         assert!(hit || object[i] == -1.0);
-        // The ball has radius 1, the bound 10.
+        // The ball has radius 1, the bounding sphere 10.
         let (radius, normals) = if hit { (1.0, 1.0) } else { (10.0, 0.0) };
         assert!((length(&position, i) - radius).abs() < 1e-5, "{i}");
         assert!((length(&normal, i) - normals).abs() < 1e-5, "{i}");
@@ -248,7 +248,7 @@ fn the_last_line_sums_up_and_says_which_rays_were_lost() {
     lenient.says(&[warning]);
     let black = folder.read("a.png");
     assert!(decoded(&folder, "a.png").into_rgb8().iter().all(|sample| *sample == 0));
-    // The picture is written in any case.
+    // The image is written in any case.
     folder.write("a.png", "an old picture");
     let strict = folder.run(&format!("{short} --strict"));
     assert_eq!((strict.code, strict.out.as_str()), (Some(1), ""));

@@ -1,4 +1,4 @@
-//! Progress on a terminal: a line while work lasts, and nothing of it afterwards.
+//! Progress on a terminal: a line during the work, and no trace of it afterwards.
 
 #![cfg(target_os = "linux")]
 
@@ -8,12 +8,12 @@ use std::time::{Duration, Instant};
 
 use super::{BALL, Folder};
 
-/// Minutes of work on a processor, and seconds on any device.
+/// Minutes of work on a CPU, and seconds on any device.
 const LONG: &str = "--size 800x600 --samples 4096 --set law.kind=schwarzschild --set law.mass=0.1";
 
-/// Starts the program on a terminal of this name, which `script` of util-linux makes.
+/// Starts the program on a terminal of this type, which `script` of util-linux provides.
 fn on_terminal(folder: &Folder, term: &str, arguments: &str) -> Child {
-    // When `script` is killed the terminal is gone, and the program with it, if nobody has it ignore that.
+    // When `script` is killed the terminal closes, which ends the program unless a parent made it ignore that signal.
     let line = format!("exec env --default-signal=HUP {} {arguments}", env!("CARGO_BIN_EXE_bentray"));
     Command::new("script")
         .args(["-qefc", &line, "/dev/null"])
@@ -37,7 +37,7 @@ fn a_terminal_shows_how_far_a_render_has_come() {
     let mut child = on_terminal(&folder, "xterm", &format!("render scene.toml -o a.png {LONG}"));
     let (mut text, mut bytes) = (String::new(), [0; 4096]);
     let until = Instant::now() + Duration::from_secs(60);
-    // After the search for a method, and some samples, the line has a percentage and the time that is left.
+    // After the search for a method and some samples, the line has a percentage and the remaining time.
     while !text.contains(" %  rendering, about ") && Instant::now() < until {
         let count = child.stdout.as_mut().unwrap().read(&mut bytes).unwrap();
         assert_ne!(count, 0, "it ended: {text}");
@@ -57,7 +57,7 @@ fn a_render_leaves_its_messages_on_a_terminal_and_nothing_else() {
         let out = child.wait_with_output().unwrap();
         let text = String::from_utf8(out.stdout).unwrap();
         assert!(out.status.success(), "{text}");
-        // Whatever stood on a line before it was cleared is gone.
+        // Earlier text on a line that was cleared is not visible.
         let lines = text.lines().map(|line| line.rsplit("\u{1b}[2K").next().unwrap_or(line));
         let words: Vec<_> = lines.map(|line| line.split([':', ' ']).next().unwrap_or(line)).collect();
         assert_eq!(words, ["device", "first", "reproduce", "19200"], "{text:?}");

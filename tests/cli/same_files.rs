@@ -1,13 +1,13 @@
-//! Nothing is written over what is read, nor two things to one file: whatever the names look like.
+//! No output overwrites an input or another output, even if their paths differ.
 
 use super::{BALL, Folder};
 
 const MESH: &str = "[[objects]]\nshape = \"mesh\"\nfile = \"mesh.obj\"\nmaterial = \"red\"\n";
 
-/// A command, and what its error says.
+/// A command, and a part of its error message.
 type Case = (&'static str, &'static str);
 
-/// Each is refused before a device is opened for it, and the folder stays as it is.
+/// Checks that each command is rejected before a device is opened, and that the folder is unchanged.
 #[track_caller]
 fn refused(folder: &Folder, cases: &[Case]) {
     let before: Vec<_> = folder.names().into_iter().map(|name| (folder.read(&name), name)).collect();

@@ -1,10 +1,10 @@
-//! A frame whose shutter is open shows the time for which it is.
+//! A frame with an open shutter shows its whole exposure time.
 
 use exr::prelude::read_first_rgba_layer_from_file;
 
 use super::{BALL, Folder};
 
-/// A frame's colors, row by row.
+/// Returns the colors of a frame, row by row.
 fn colors(folder: &Folder, name: &str, width: usize) -> Vec<[f32; 3]> {
     let image = read_first_rgba_layer_from_file(
         folder.path(name),
@@ -27,13 +27,13 @@ fn what_stays_where_it_is_is_sharp_to_the_bit() {
     folder.run("render scene.toml -o {frame}.exr --frames 0").succeeds();
     folder.run("render scene.toml -o sharp_{frame}.exr --frames 0 --set animation.shutter=0").succeeds();
     assert!(colors(&folder, "0.exr", 16) == colors(&folder, "sharp_0.exr", 16));
-    // And what moves is not.
+    // Moving objects are blurred.
     folder.write("scene.toml", film(16, "shutter = 1", AWAY));
     folder.run("render scene.toml -o {frame}.exr --frames 0").succeeds();
     assert!(colors(&folder, "0.exr", 16) != colors(&folder, "sharp_0.exr", 16));
 }
 
-/// A straight edge passes 16 pixels at a steady pace: each shows it for the part of the time that it lies behind it.
+/// A straight edge passes 16 pixels at a constant speed: each pixel shows the fraction of the time that it is covered.
 #[test]
 fn an_edge_that_passes_leaves_a_ramp() {
     let folder = Folder::with(
@@ -50,7 +50,7 @@ fn an_edge_that_passes_leaves_a_ramp() {
         let middle = (i % 32) as f64 - 15.5;
         let expected = (0.5 - middle / 16.0).clamp(0.0, 1.0);
         let error = f64::from(*seen) - expected;
-        // 16 samples are of moments at which the edge is in the pixel, half of them before it: 4 standard deviations.
+        // The edge is inside the pixel in 16 of the samples, and half of these show it: 4 standard deviations.
         assert!(error.abs() < 4.0 * 2.0 / 256.0, "pixel {i}: {seen}, not {expected}");
         errors += error;
     }
@@ -69,7 +69,7 @@ fn what_the_shutter_does_not_go_with_is_said() {
     }
     let ran = folder.run("render scene.toml -o {frame}.png --frames 0 --samples 1").succeeds();
     ran.says(&["warning: the shutter is open, but one sample per pixel shows no motion blur"]);
-    // A moment that is wrong, where every frame is right: the camera meets the horizon.
+    // A moment that is invalid between valid frames: the camera meets the horizon.
     let hole = "[law]\nkind = \"schwarzschild\"\n";
     let track = "key = \"camera.position\"\nvalues = [[0, 0, 5], [0, 0, 1]]\nkeyframes = [3, 3.5]";
     folder.write("scene.toml", film(16, "shutter = 0.5", track) + hole);
@@ -79,7 +79,7 @@ fn what_the_shutter_does_not_go_with_is_said() {
     assert_eq!(folder.names(), ["0.png", "scene.toml"]);
 }
 
-/// Frames are known by what goes on while they are made, and by no more.
+/// Finished frames are identified by their motion during the exposure, and by nothing more.
 #[test]
 fn finished_frames_are_known_by_their_motion() {
     let folder = Folder::with(&film(4, "shutter = 0.5", AWAY));

@@ -1,4 +1,4 @@
-//! A real Slurm: two nodes on this machine, one of which dies in the middle.
+//! Tests with a real Slurm installation: two nodes on this machine, one of which fails during the work.
 
 use std::fs::{self, Permissions};
 use std::os::unix::fs::PermissionsExt;
@@ -10,10 +10,10 @@ use super::{BALL, Folder};
 
 const FILM: &str = "[law]\nkind = \"schwarzschild\"\nmass = 0.2\n[animation]\nframes = 12\n\
     [[animation.tracks]]\nkey = \"camera.position\"\nvalues = [[0, 0, 5], [1, 0, 5]]\n";
-/// However busy the machine is.
+/// The limit of waiting, even on a busy machine.
 const PATIENCE: Duration = Duration::from_secs(240);
 
-/// Its daemons, which end with it.
+/// The daemons of Slurm, which end with this value.
 struct Slurm {
     folder: Folder,
     munge: Child,
@@ -22,7 +22,7 @@ struct Slurm {
 }
 
 impl Slurm {
-    /// Two nodes that are idle.
+    /// Starts two idle nodes.
     fn start() -> Self {
         let folder = Folder::new();
         fs::set_permissions(folder.path("."), Permissions::from_mode(0o755)).unwrap();
@@ -42,7 +42,7 @@ impl Slurm {
             .unwrap();
         let host = String::from_utf8(Command::new("hostname").arg("-s").output().unwrap().stdout).unwrap();
         let host = host.trim();
-        // Ports of this process, so that two runs do not meet.
+        // The ports depend on the process, so that two runs do not collide.
         let port = 20_000 + std::process::id() % 10_000 * 3;
         let own = path("");
         let own = own.trim_end_matches('/');
@@ -77,7 +77,7 @@ impl Slurm {
         command.env("BENTRAY_CACHE", "").spawn().unwrap()
     }
 
-    /// What one of its commands prints.
+    /// Returns the output of one of Slurm's commands.
     fn say(&self, program: &str, arguments: &[&str]) -> String {
         let output = Command::new(program).args(arguments).env("SLURM_CONF", self.folder.path("slurm.conf")).output();
         String::from_utf8(output.unwrap().stdout).unwrap()
@@ -91,7 +91,7 @@ impl Slurm {
         }
     }
 
-    /// Submits a job, and waits until nothing of it is queued; if `loses` says so a node is lost meanwhile.
+    /// Submits a job and waits until its queue is empty; if `loses` is set, a node fails meanwhile.
     fn run(&mut self, folder: &Folder, job: &str, loses: bool) {
         let mut command = folder.command(&format!("farm slurm {job} --submit"));
         let output = command.env("SLURM_CONF", self.folder.path("slurm.conf")).output().unwrap();
@@ -103,7 +103,7 @@ impl Slurm {
                 self.lose(1);
                 is_lost = true;
             }
-            // Slurm has a part that was lost wait for two minutes.
+            // Slurm delays a lost part by two minutes.
             for waiting in self.say("squeue", &["-h", "-t", "PENDING", "-o", "%A %r"]).lines() {
                 if let Some((job, "BeginTime")) = waiting.split_once(' ') {
                     self.say("scontrol", &["update", &format!("JobId={job}"), "StartTime=now"]);
@@ -117,7 +117,7 @@ impl Slurm {
         assert!(log.contains("all present and consistent"), "{log}");
     }
 
-    /// Ends a node as if its power had gone: with all that it was running.
+    /// Ends a node like a power failure, together with all of its processes.
     fn lose(&mut self, node: usize) {
         let name = format!("n{}", node + 1);
         let jobs = self.say("squeue", &["-h", "-w", &name, "-o", "%A"]);
@@ -142,15 +142,15 @@ impl Slurm {
 impl Drop for Slurm {
     fn drop(&mut self) {
         for child in self.nodes.iter_mut().chain(&mut self.controller).chain([&mut self.munge]) {
-            // One that has ended already is what is wanted.
+            // A process that has already ended needs no action.
             let _ = child.kill();
             let _ = child.wait();
         }
     }
 }
 
-/// A film of 12 frames, and a picture of 64 parts during which a node is lost: all parts are done, and together they are what one machine
-/// makes, to the byte.
+/// Checks a video of 12 frames, and an image of 64 parts during which a node is lost: all parts are completed, and the result is
+/// byte-identical to that of one machine.
 #[test]
 #[ignore = "needs Slurm, and root for its daemons"]
 fn a_farm_that_loses_a_node_makes_what_one_machine_makes_with_slurm() {

@@ -9,7 +9,7 @@ use super::{BALL, Folder, Ran};
 fn fed(folder: &Folder, arguments: &str, input: &str) -> Ran {
     let mut command = folder.command(arguments);
     let mut child = command.stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap();
-    // Who reads no input may be gone by now.
+    // A program that reads no input may have ended already.
     let _ = child.stdin.take().unwrap().write_all(input.as_bytes());
     let output = child.wait_with_output().unwrap();
     let text = |bytes| String::from_utf8(bytes).unwrap();
@@ -32,7 +32,7 @@ fn a_scene_from_standard_input_is_that_of_a_file() {
     assert_eq!(wrong.code, Some(1));
     wrong.says(&["standard input:7:30: "]);
     fed(&folder, "render - -o sky.png", &scene).fails(1, &["sky.png is a file that the scene reads"]);
-    // A table may come from there as well, but not both.
+    // A table may also come from standard input, but not both.
     let rays = "x,y,z,vx,vy,vz\n0,0,5,0,0,-1\n";
     folder.write("rays.csv", rays);
     let traced = folder.run("trace scene.toml --rays rays.csv -o -").succeeds().out;
@@ -74,7 +74,7 @@ fn files_that_need_a_name_are_no_stream() {
     }
     folder.run("farm slurm - -o a.png --parts 2").fails(1, &["-: standard input and output are not supported here"]);
     assert_eq!(folder.names(), ["scene.toml"]);
-    // A file may have that name.
+    // A file may have this name.
     folder.run("new ./-").succeeds();
     assert_eq!(folder.names(), ["-", "scene.toml"]);
 }
@@ -96,11 +96,11 @@ fn a_reader_that_has_had_enough_is_no_error() {
         assert_eq!(child.wait().unwrap().code(), Some(0), "{name}: {err}");
         assert!(!err.contains("error"), "{name}: {err}");
     }
-    // What else is asked for is made.
+    // The other requested files are written.
     assert_eq!(folder.names(), ["a.svg", "scene.toml"]);
 }
 
-/// Without a desktop Mesa's layer that chooses devices reports an error of its own.
+/// Without a desktop Mesa's device selection layer reports a separate error.
 #[cfg(target_os = "linux")]
 #[test]
 fn no_display_is_no_error() {
@@ -117,7 +117,7 @@ fn no_display_is_no_error() {
     }
 }
 
-/// A link stays, and the file that it leads to is written, whether it was there or not.
+/// A link stays, and its target is written, whether it existed or not.
 #[cfg(unix)]
 #[test]
 fn links_are_followed_to_where_no_file_is_yet() {

@@ -1,9 +1,9 @@
-//! `bentray trace`: one row a ray, in order, each ending exactly where it should.
+//! `bentray trace`: one row per ray, in order, and each ray ends exactly where it should.
 
 use super::tables::{HEADER, PATH_HEADER, Rows, table};
 use super::{BALL, Folder};
 
-/// Directions all round: a spiral over the sphere.
+/// Returns directions on a spiral over the whole sphere.
 fn spiral(count: usize) -> impl Iterator<Item = [f64; 3]> {
     (0..count).map(move |i| {
         let z = 1.0 - (2.0 * i as f64 + 1.0) / count as f64;
@@ -84,12 +84,12 @@ fn rays_from_outside_the_bound_are_followed_in_and_through_or_escape_at_once() {
         assert_eq!(rows.column("status"), ["hit", "escaped", "escaped", "escaped"], "{method}");
         assert_eq!(rows.column("object"), ["0", "", "", ""]);
         assert_eq!(rows.numbers(0), [1.0, 0.0, 0.0, -1.0, 0.0, 0.0, 19.0]);
-        // Outwards from the start: it has escaped where it is.
+        // A ray that starts outside and moves outward has escaped at its start.
         assert_eq!(rows.numbers(1), [20.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0]);
         assert_eq!(rows.column("steps")[1], "0");
-        // Past the bound without entering it: it ends somewhere outside.
+        // A ray that misses the bounding sphere ends somewhere outside.
         assert!(rows.distance(2, [0.0; 3]) > 10.0, "{method}");
-        // Through the bound: it ends where it leaves.
+        // A ray through the bounding sphere ends where it leaves.
         let [x, y, ..] = rows.numbers(3);
         assert!((f64::from(x) + 75.0_f64.sqrt()).abs() < 2e-5, "{method}: {x}");
         assert_eq!(y, 5.0);
@@ -99,7 +99,7 @@ fn rays_from_outside_the_bound_are_followed_in_and_through_or_escape_at_once() {
 #[test]
 fn no_ray_is_lost_without_a_word() {
     let folder = Folder::with(BALL);
-    // Too fast for numbers of 32 bits, too few segments, and one that is well.
+    // A ray that is too fast for numbers of 32 bits, one with too few segments, and a valid one.
     let rays = [[0.0, 0.0, 5.0, 0.0, 0.0, 1e25], [0.0, 0.0, 5.0, 1.0, 0.0, 0.0], [0.0, 0.0, 1.5, 0.0, 0.0, -1.0]];
     folder.write("rays.csv", table(&rays));
     let more = "--set rays.method=rk4 --set rays.max_segments=3";
@@ -122,7 +122,7 @@ fn no_ray_is_lost_without_a_word() {
 #[test]
 fn order_columns_and_totals_hold_for_many_rays() {
     let folder = Folder::with(BALL);
-    // More than a row of the state's textures, and columns in an order of their own.
+    // More rays than a row of the state's textures, and columns in a different order.
     let count = 1030;
     let xs = (0..count).map(|i| f64::from(i) / f64::from(count) * 4.0 - 2.0);
     let lines = xs.map(|x| format!("-1, 0, 0, {x}, 5, 0.25\n"));
@@ -148,7 +148,7 @@ fn order_columns_and_totals_hold_for_many_rays() {
 #[test]
 fn the_shadow_edge_lies_at_the_critical_impact_parameter() {
     let folder = Folder::with("[law]\nkind = \"schwarzschild\"\n[rays]\nbounding_sphere = { radius = 1100 }\n");
-    // b = L/E with L = r s and E² = 1 − s² + (1 − 2/r) s², for a unit direction whose tangential part is s.
+    // b = L/E with L = r s and E² = 1 − s² + (1 − 2/r) s², because s is the tangential part of a unit direction.
     let ray = |r: f64, b: f64| {
         let s = b / (r * r + 2.0 * b * b / r).sqrt();
         [0.0, 0.0, r, s, 0.0, -(1.0 - s * s).sqrt()]
@@ -195,7 +195,7 @@ fn paths_run_from_the_start_to_the_result() {
     }
 }
 
-/// The camera's own rays: those of a straight pinhole camera go through their pixels' middles.
+/// The rays of a straight pinhole camera go through the centers of their pixels.
 #[test]
 fn pixels_start_where_the_camera_looks() {
     let folder = Folder::with(
@@ -207,7 +207,7 @@ fn pixels_start_where_the_camera_looks() {
         let ray = rows.0.iter().find(|row| row[0] == ray).unwrap();
         let number = |k: usize| ray[k].parse::<f64>().unwrap();
         assert_eq!([2, 3, 4].map(number), [0.0, 0.0, 5.0]);
-        // The longer or the higher side spans 90 degrees.
+        // The longer side or the height spans 90 degrees.
         let slope = [number(5) / -number(7), number(6) / -number(7)];
         let wanted = [(x + 0.5 - 20.0) / 10.0, (10.0 - y - 0.5) / 10.0];
         let scale = slope[0] / wanted[0];
@@ -222,7 +222,7 @@ fn pixels_start_where_the_camera_looks() {
     folder.run("trace scene.toml --pixel 4 -o -").fails(2, &["such as 320,240, found `4`"]);
 }
 
-/// Behind the orbit through a pixel lies the attractor that it comes to.
+/// The attractor of the orbit through a pixel is drawn behind it.
 #[test]
 fn an_attractor_is_drawn_behind_the_orbits() {
     let folder = Folder::with(
@@ -241,7 +241,7 @@ fn an_attractor_is_drawn_behind_the_orbits() {
 #[test]
 fn nothing_comes_out_of_a_horizon() {
     let folder = Folder::with("[rays]\nbounding_sphere = { radius = 30 }\n");
-    // Outwards and across, from 0.4 to 0.95 of the inner horizon's radius.
+    // Outward and across, from 0.4 to 0.95 of the radius of the inner horizon.
     for (law, inside) in [
         ("--set law.kind=schwarzschild", 2.0),
         ("--set law.kind=schwarzschild --set law.form=geodesic", 2.0),
@@ -268,7 +268,7 @@ fn nothing_comes_out_of_a_horizon() {
     }
 }
 
-/// Between the horizons some light is known from its start to have come from below, and ends on the horizon in its first segment.
+/// Between the horizons, the start of some light shows that it came from below, and it ends on the horizon in its first segment.
 #[test]
 fn every_path_begins_where_its_ray_does() {
     let folder = Folder::with(
@@ -276,7 +276,7 @@ fn every_path_begins_where_its_ray_does() {
          kind = \"fisheye\"\nfov = 360\nobserver = \"infalling\"\n[law]\nkind = \"kerr-newman\"\nspin = 0.9\n\
          [rays]\nmethod = \"dormand-prince\"\ntolerance = 1e-6\nmax_segments = 4000\nbounding_sphere = { radius = 60 }\n",
     );
-    // Those in the circle that a fisheye's picture is.
+    // The pixels inside the circle of a fisheye image.
     let pixels = (0..144_i32).map(|i| [i % 12, i / 12]);
     let pixels: Vec<[i32; 2]> = pixels.filter(|[x, y]| (2 * x - 11).pow(2) + (2 * y - 11).pow(2) < 136).collect();
     let options: Vec<_> = pixels.iter().map(|[x, y]| format!(" --pixel {x},{y}")).collect();
@@ -293,7 +293,7 @@ fn every_path_begins_where_its_ray_does() {
             continue;
         }
         short += 1;
-        // The mean velocity on the way is as near to that of each end as they are to each other.
+        // The mean velocity on the path differs from the velocity at each end no more than these differ from each other.
         let end = paths.numbers(row + 1).map(f64::from);
         let sum = |of: &dyn Fn(usize) -> f64| (0..3).map(|k| of(k).powi(2)).sum::<f64>().sqrt();
         let off = sum(&|k| end[k] - start[k] - end[6] * 0.5 * (start[k + 3] + end[k + 3]));

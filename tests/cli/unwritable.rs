@@ -1,4 +1,4 @@
-//! Outputs that cannot be written are refused, before any work, with what to do.
+//! Outputs that cannot be written are rejected before any work, with a remedy.
 
 use super::{BALL, Folder};
 
