@@ -14,7 +14,7 @@ fn rendered(scene: &Scene, options: ProgramOptions) -> Rendering {
     Renderer::new(&gpu(), scene, RenderSettings { options, ..RenderSettings::default() }).unwrap().render().unwrap()
 }
 
-/// One ray from a place in a direction, to a white screen through another place.
+/// Returns a scene with one ray from a position in a direction, to a white screen at another position.
 fn to_screen(medium: &str, filter: &str, [from, along, to]: [DVec3; 3], rays: &str) -> String {
     let ball: Vec<&str> = medium.split_whitespace().collect();
     let (law, object, normal, size) = match ball[..] {
@@ -41,7 +41,7 @@ fn to_screen(medium: &str, filter: &str, [from, along, to]: [DVec3; 3], rays: &s
     )
 }
 
-/// Along straight, harmonic, circular and parabolic paths, through formulas and through textures.
+/// Checks straight, harmonic, circular and parabolic paths, through formulas and through textures.
 #[test]
 fn filters_are_as_exact_as_they_are_asked_to_be() {
     for (tolerance, allowed) in [(1e-3, 1e-4), (1e-6, 2e-6)] {
@@ -64,7 +64,7 @@ fn filters_are_as_exact_as_they_are_asked_to_be() {
     }
 }
 
-/// The same by steps of a method, as good as those are.
+/// Checks the absorption along paths of an integration method, with its accuracy.
 #[test]
 fn filters_follow_integrated_paths() {
     let rays = "method = \"dormand-prince\"\ntolerance = 1e-6";
@@ -78,7 +78,7 @@ fn filters_follow_integrated_paths() {
     }
 }
 
-/// c^d, d the chord: of a lens that reflects nothing at its edge, all that is left of a sky.
+/// A lens that reflects nothing at its edge transmits c^d of the sky along the chord d.
 #[test]
 fn lenses_filter_by_the_length_of_their_paths() {
     let text = "[image]\nsize = [1, 1]\n[camera]\nposition = [-10, 0.4, 0]\nlook_at = [0, 0.4, 0]\nfov = 0.001\n\
@@ -94,7 +94,7 @@ fn lenses_filter_by_the_length_of_their_paths() {
     }
 }
 
-/// A medium that absorbs and glows, before a wall: c^d L + ε (c^d − 1)/ln c.
+/// A medium that absorbs and emits in front of a wall gives c^d L + ε (c^d − 1)/ln c.
 #[test]
 fn media_glow() {
     for transport in ["direct", "path-tracing"] {
@@ -113,7 +113,7 @@ fn media_glow() {
     }
 }
 
-/// A ball that absorbs under an even sky: R + (1 − R)² t/(1 − R t), t = c^chord; all its light the same, branch by branch or by paths.
+/// An absorbing ball under a uniform sky: R + (1 − R)² t/(1 − R t) with t = c^chord, for ray splitting and for path tracing.
 const BALL: &str = "[image]\nsize = [24, 24]\nsamples = 64\n[camera]\nkind = \"orthographic\"\nheight = 1.6\nposition = [0, 0, 4]\n\
     [sky]\ncolor = [1, 1, 1]\n[rays]\nbounding_sphere = { radius = 9 }\n[[objects]]\nshape = \"sphere\"\n\
     interior = { kind = \"constant\", n = 1.5, absorption = { transmittance = [0.65, 0.45, 0.1], emission = [0.2, 0, 0] } }\n";
@@ -125,7 +125,7 @@ fn ball(sin: f64, color: f64, glow: f64) -> f64 {
     let along = (index * cos - inner) / (index * cos + inner);
     let back = 0.5 * (across * across + along * along);
     let left = color.powf(2.0 * inner);
-    // In the light that comes out L/n² is kept.
+    // For the outgoing light L/n² is constant.
     let added = glow / (index * index) * (left - 1.0) / color.ln();
     back + (1.0 - back) * ((1.0 - back) * left + added) / (1.0 - back * left)
 }
@@ -177,7 +177,7 @@ fn every_schedule_filters_alike() {
     }
 }
 
-/// What is no filter is counted, and so is what was not had to its tolerance.
+/// Invalid absorption is counted, and so are values that did not converge to the tolerance.
 #[test]
 fn bad_filters_are_counted() {
     let straight = [DVec3::ZERO, DVec3::X, DVec3::X * 3.0];
@@ -190,7 +190,7 @@ fn bad_filters_are_counted() {
     }
 }
 
-/// Each object has its own formula, in whatever order regions lie: those of higher priority come first.
+/// Each object has a separate formula, whatever the order of regions: higher priorities come first.
 #[test]
 fn formulas_belong_to_their_objects() {
     let ball = |x: f64, density: &str, priority: u32| {
@@ -211,7 +211,7 @@ fn formulas_belong_to_their_objects() {
     }
 }
 
-/// Orbits in an empty space are followed in few steps, but not past what filters their light.
+/// Orbits in empty space take few steps, but these do not skip absorbing regions.
 #[test]
 fn filters_follow_orbits() {
     let text = "[image]\nsize = [8, 6]\n[camera]\nposition = [0, 0, 12]\nlook_at = [5, 0, 0]\nfov = 30\n[sky]\ncolor = [1, 1, 1]\n\

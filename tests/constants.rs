@@ -6,7 +6,7 @@ use bentray::program::constant;
 
 use crate::support::sources;
 
-/// Calls of `constant` that make up what they ask for, and all that this can be.
+/// Calls of `constant` with computed arguments, and all values that these can have.
 const COMPUTED: [(&str, &[(&str, &str)]); 6] = [
     (
         "part, &part.rsplit('/').next().unwrap_or(part).to_uppercase()",
@@ -58,7 +58,7 @@ const COMPUTED: [(&str, &[(&str, &str)]); 6] = [
     ("\"state/active\", name", &[("state/active", "GROUP"), ("state/active", "GROUP_WIDTH")]),
 ];
 
-/// What stands in the parentheses of every call of `constant` as a function.
+/// Returns the arguments of every call of the function `constant`.
 fn calls() -> BTreeSet<String> {
     let mut calls = BTreeSet::new();
     for (_, text) in sources() {
@@ -91,9 +91,9 @@ fn shared_constants_are_in_the_shaders() {
         }
         asked += 1;
     }
-    assert!(asked > 15, "calls are not found as they are written today");
+    assert!(asked > 15, "the search does not find calls in their present form");
     let known: BTreeSet<String> = COMPUTED.iter().map(|(call, _)| (*call).to_owned()).collect();
-    assert_eq!(computed, known, "say above what a computed constant can be");
+    assert_eq!(computed, known, "add the values of computed constants to COMPUTED");
     for (part, name) in COMPUTED.iter().flat_map(|(_, pairs)| *pairs) {
         assert!(constant(part, name).is_finite());
     }

@@ -9,7 +9,7 @@ use bentray::scene::{Scene, SceneError};
 
 use crate::support::{gpu, shipped_scenes};
 
-/// A scene under the law that `wgsl` is, with these lines in its table.
+/// Returns a scene with this law and these lines in the table of its law.
 fn scene_with(folder: &Path, wgsl: &str, law: &str, rays: &str) -> Scene {
     loaded(folder, wgsl, law, rays).unwrap_or_else(|error| panic!("{error}"))
 }
@@ -36,7 +36,7 @@ fn error_of(wgsl: &str, law: &str) -> String {
     }
 }
 
-/// A built-in law's own text, with its uniform declared as parameters.
+/// Checks the text of a built-in law, with its uniform declared as parameters.
 #[test]
 fn a_law_that_repeats_a_built_in_one_gives_its_picture_bit_by_bit() {
     let built_in = part("law/schwarzschild_path").unwrap().text;
@@ -160,7 +160,7 @@ fn parameters_have_names_that_the_file_uses() {
     scene_with(folder.path(), wgsl, "parameters = { pull = 1 }", "");
 }
 
-/// A derivative that is not finite is no sky: the ray fails.
+/// A ray whose derivative is not finite fails, and does not show the sky.
 #[test]
 fn rays_that_a_law_makes_infinite_have_failed() {
     let gpu = gpu();
@@ -178,7 +178,7 @@ fn rays_that_a_law_makes_infinite_have_failed() {
     }
 }
 
-/// Along a helix, dx = (−y, x, ½): ten steps or so, each within a relative error of 1e-6.
+/// Checks a helix, dx = (−y, x, ½): about ten steps, each within a relative error of 1e-6.
 #[test]
 fn a_users_flow_is_followed() {
     let folder = tempfile::tempdir().unwrap();
@@ -194,7 +194,7 @@ fn a_users_flow_is_followed() {
     }
 }
 
-/// What a law depends on decides which methods it suits; all of those follow it.
+/// The interface that a law implements determines its methods; all of these can trace it.
 #[test]
 fn shipped_laws_are_followed_to_their_ends() {
     let gpu = gpu();

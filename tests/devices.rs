@@ -1,4 +1,4 @@
-//! Limits of devices that these tests do not run on.
+//! Checks limits of devices on which these tests do not run.
 
 use std::path::Path;
 
@@ -9,10 +9,11 @@ use bentray::scene::Scene;
 
 use crate::support::all_scenes;
 
-/// What WebGPU grants on every device (<https://www.w3.org/TR/webgpu/#limits>): storage buffers, storage textures, other textures and uniform buffers of a pass.
+/// The limits that WebGPU guarantees for a pass (<https://www.w3.org/TR/webgpu/#limits>): storage buffers, storage textures, other textures
+/// and uniform buffers.
 const LIMITS: [usize; 4] = [8, 4, 16, 12];
-/// Scenes of which a pass needs more storage buffers, and how many, at most 12: a mesh takes three (its tree, what is hit, what is seen) and
-/// one more where it has sides, a light's grid two, lists of pixels four, and pixels and counts one each.
+/// Scenes with a pass that needs more storage buffers, and their number, at most 12. A mesh takes three (its tree, and the data for hits
+/// and for shading) and one more if it has sides, a photon grid two, lists of pixels four, and pixels and counts one each.
 const MORE: [(&str, usize); 4] = [
     ("scenes/paths/prism.toml", 11),
     ("scenes/spacetimes/wormhole.toml", 9),
@@ -20,7 +21,7 @@ const MORE: [(&str, usize); 4] = [
     ("scenes/thesis/vase.toml", 11),
 ];
 
-/// Every pass of every scene here, by every schedule, binds no more than every device has.
+/// Every pass of every scene here, with every schedule, binds no more than every device supports.
 #[test]
 fn passes_fit_webgpus_default_limits() {
     let mut over = Vec::new();
@@ -53,8 +54,8 @@ fn passes_fit_webgpus_default_limits() {
     assert!(over.is_empty(), "{over:#?}");
 }
 
-/// A profile says how programs are written for a device, and changes no bit of what they compute: both kinds of programs on the device that
-/// is here.
+/// A profile determines the form of programs for a device, but not a bit of their results. The test runs programs of both profiles on the
+/// available device.
 #[test]
 fn pictures_do_not_depend_on_the_profile() {
     let mut gpu = Gpu::open(None).unwrap();

@@ -1,4 +1,4 @@
-//! Tests matter that orbits in thin disks, against closed forms and values with 15 digits.
+//! Tests matter that orbits in thin disks against closed forms and values with 15 digits.
 
 use bentray::model::{black_body, matter};
 use bentray::program::{Layer, ProgramOptions, Schedule};
@@ -15,7 +15,7 @@ fn numbers(text: &str) -> Vec<f64> {
     text.split(' ').map(|word| word.parse().unwrap()).collect()
 }
 
-/// The orbits' E, L, Ω, uᵗ and light, also where the law is typed as a line element: there derivatives are differences.
+/// Checks E, L, Ω, uᵗ and the light of the orbits, also for the law as a line element, whose derivatives are differences.
 #[test]
 fn matter_moves_and_shines_as_closed_forms_say() {
     for row in rows(include_str!("tables/thin_discs.tsv")) {
@@ -28,7 +28,7 @@ fn matter_moves_and_shines_as_closed_forms_say() {
             let off = radius(orbits[edge].rho) / row[2].parse::<f64>().unwrap() - 1.0;
             assert!(off.abs() < bound, "{}: the innermost stable orbit is off by {off:e}", row[0]);
             for told in row[3].split("; ").map(numbers) {
-                // By Lagrange's formula from the four rows about it.
+                // By Lagrange interpolation between the four nearest rows.
                 let after = orbits.iter().position(|orbit| radius(orbit.rho) > told[0]).unwrap();
                 let near = &orbits[after - 2..after + 2];
                 let at = |of: &dyn Fn(&matter::Orbit) -> f64| -> f64 {
@@ -54,7 +54,7 @@ fn matter_moves_and_shines_as_closed_forms_say() {
     }
 }
 
-/// Without spin the holes of three laws have the same matter, and a disc of it looks the same by each.
+/// Without spin, three laws of black holes have identical matter, and an accretion disk has one appearance under all of them.
 #[test]
 fn discs_of_holes_without_spin_are_alike() {
     for (charge, others) in [
@@ -88,14 +88,14 @@ fn discs_of_holes_without_spin_are_alike() {
             }
             let pictures = [&told, &own].map(rendered);
             let off = shifts(&pictures[0]).iter().zip(shifts(&pictures[1])).map(|(a, b)| (a - b).abs());
-            // Pixels on edges may be of another crossing.
+            // Pixels on edges may show another crossing.
             let wrong = off.filter(|off| *off > 1e-4).count();
             assert!(wrong <= 2, "{law}: {wrong} pixels are off");
         }
     }
 }
 
-/// Observers on circular orbits and falling ones, by closed forms.
+/// Compares circular and infalling observers with closed forms.
 #[test]
 fn observers_round_holes_without_spin_move_as_they_should() {
     for law in
@@ -115,7 +115,7 @@ fn observers_round_holes_without_spin_move_as_they_should() {
         }
         let orbit = of(Observer::ProgradeOrbit);
         assert!(orbit.truncate().dot(axis.cross(x)) > 0.0);
-        // Of a geodesic: ∂g_tt/∂r + Ω² ∂g_φφ/∂r = 0.
+        // The condition of a geodesic: ∂g_tt/∂r + Ω² ∂g_φφ/∂r = 0.
         let clock = |r: f64| -law.metric(DVec3::new(1.0, 2.0, 3.0) + r / 11.0 * x, 0.0).unwrap().w_axis.w;
         let slope = (clock(11.001) - clock(10.999)) / 0.002;
         let turning = orbit.truncate().length() / (11.0 * orbit.w);
@@ -125,7 +125,7 @@ fn observers_round_holes_without_spin_move_as_they_should() {
     }
 }
 
-/// Within the innermost stable orbit matter keeps E and L, and falls ever faster.
+/// Inside the ISCO matter keeps E and L, and its fall accelerates.
 #[test]
 fn matter_falls_in_from_the_innermost_stable_orbit() {
     for law in ["kind=\"kerr-newman\"\nspin=0.7", "kind=\"kerr-newman\"\nspin=0.3\ncharge=0.5\naxis=[0, 1, 0]"] {
@@ -148,7 +148,7 @@ fn matter_falls_in_from_the_innermost_stable_orbit() {
     }
 }
 
-/// The color of CIE's illuminant A and of daylight's temperature, as near as sums of lobes come; and brightness by Rayleigh and Jeans.
+/// Checks the colors of CIE illuminant A and of daylight, as closely as sums of lobes allow, and the brightness by Rayleigh–Jeans.
 #[test]
 fn black_bodies_have_their_colours() {
     for (kelvin, x, y) in [(2856.0, 0.4476, 0.4074), (6500.0, 0.3135, 0.3236), (15000.0, 0.2637, 0.2674)] {
@@ -165,12 +165,12 @@ fn black_bodies_have_their_colours() {
     }
     let brightness = |kelvin: f64| black_body::color(kelvin).1;
     assert!((brightness(2e7) - brightness(1e7) - 2.0_f64.ln()).abs() < 1e-3);
-    // Wien: at low temperatures it goes by e^(−C₂/λT), and what is seen is red.
+    // Wien: at low temperatures brightness is proportional to e^(−C₂/λT), and the visible light is red.
     let slope = (brightness(1010.0) - brightness(990.0)) / (1.0_f64 / 990.0 - 1.0 / 1010.0);
     assert!((1.44e7 / slope - 600.0).abs() < 60.0, "{slope}");
 }
 
-/// The light of the hottest ring round a hole that spins so.
+/// Returns the flux of the brightest ring around a black hole with this spin.
 fn hottest(spin: f64) -> f64 {
     let law =
         scene(&format!("[law]\nkind = \"kerr-newman\"\nspin = {spin}\n[rays]\nbounding_sphere = {{ radius = 200 }}\n"))
@@ -179,8 +179,8 @@ fn hottest(spin: f64) -> f64 {
     orbits.iter().map(|orbit| orbit.flux).fold(0.0, f64::max)
 }
 
-/// Rays as they cross a disc, in the order of tracing: where, by how much their light is shifted and what color it has. The third time
-/// some cross far out and at a grazing angle, of which the sensitivity does not know: that is for 64 bits.
+/// Checks the crossings of rays with a disk, in the order of tracing: position, redshift and color. A few third crossings are far out and
+/// at a grazing angle, which the sensitivity does not include: only 64 bits are checked there.
 #[test]
 fn light_of_discs_is_shifted_as_series_say() {
     for row in rows(include_str!("tables/disc_crossings.tsv")) {
@@ -204,7 +204,7 @@ fn light_of_discs_is_shifted_as_series_say() {
                 if k == 2 && precision == "f32" {
                     continue;
                 }
-                // What lies at other distances is open, so that later crossings are seen as well.
+                // The disk is open at other radii, so that later crossings are visible as well.
                 let scene = scene(&format!(
                     "[image]\nsize = [1, 1]\n[camera]\nposition = {:?}\nlook_at = {:?}\nup = [0, 0, 1]\nfov = 1\nobserver = \"static\"\n\
                      redshift = true\n[law]\n{law}\n[rays]\nbounding_sphere = {{ radius = 200 }}\n{method}\nprecision = \"{precision}\"\n\
@@ -236,8 +236,8 @@ fn light_of_discs_is_shifted_as_series_say() {
     }
 }
 
-/// Through a translucent disc light is seen from where it crossed it again and again: what is left of each crossing is by those before it,
-/// each with its own shift. The light is the same in all schedules, by branches that are followed one after the other.
+/// Checks that a translucent disk is visible at each crossing of a ray, attenuated by the earlier crossings and with a separate redshift.
+/// All schedules agree, and so does ray splitting.
 #[test]
 fn light_of_translucent_discs_adds_up() {
     const OPACITY: f64 = 0.3;
@@ -276,7 +276,7 @@ fn light_of_translucent_discs_adds_up() {
             let picture = Renderer::new(&gpu(), &scene, settings).unwrap().render().unwrap();
             let Some(Plane::Vector(seen)) = picture.band.layer(Layer::ImageOrder) else { panic!("no orders") };
             orders.resize(3, 0.0);
-            // The third time some cross so far out and grazing that 32 bits tell.
+            // A few third crossings are so far out and grazing that errors of 32 bits are visible.
             for ((seen, told), bound) in seen.iter().zip(&orders).zip([2e-3, 2e-3, 2e-2]) {
                 let off = (f64::from(seen[0]) - told).abs();
                 assert!(off <= bound * told, "{} {schedule:?}: {seen:?} for {orders:?}", row[0]);

@@ -1,4 +1,4 @@
-//! Media whose index is another for each wavelength: prisms against the law of least deviation, and that white light stays white.
+//! Media whose index depends on the wavelength: prisms against the law of minimum deviation, and white light stays white.
 
 use bentray::model::medium::VISIBLE;
 use bentray::program::constant;
@@ -7,25 +7,25 @@ use glam::{DVec3, Vec4};
 
 use crate::support::{gpu, mean_of, probe::Probe, scene};
 
-/// SF11 by its formula, at a wavelength in nanometres.
+/// Returns the index of SF11 at a wavelength in nanometers.
 fn heavy_flint(nm: f64) -> f64 {
     let square = (nm / 1000.0).powi(2);
     let terms = [(1.737_596_95, 0.013_188_707), (0.313_747_346, 0.062_306_814_2), (1.898_781_01, 155.236_29)];
     (1.0 + terms.iter().map(|(b, c)| b * square / (square - c)).sum::<f64>()).sqrt()
 }
 
-/// Paths draw what scenes may ask for.
+/// Paths sample the wavelengths that a scene may specify.
 #[test]
 fn visible_light_is_the_same_everywhere() {
     let drawn = ["SHORTEST", "LONGEST"].map(|name| constant("path/spectrum", name).to_bits());
     assert_eq!(drawn, [VISIBLE.start(), VISIBLE.end()].map(|end| end.to_bits()));
 }
 
-/// A prism of angle A turns a ray that crosses it evenly by D, where n = sin((A + D)/2)/sin(A/2).
+/// A prism of angle A turns a ray that crosses it symmetrically by D, where n = sin((A + D)/2)/sin(A/2).
 #[test]
 fn prisms_turn_each_wavelength_by_its_least_deviation() {
     let folder = tempfile::tempdir().unwrap();
-    // Of 60°, along z, its edge at the top.
+    // An angle of 60°, along z, with the edge at the top.
     let corners = [[-1.0, 0.0], [1.0, 0.0], [0.0, 3.0_f64.sqrt()]];
     let vertices = [-1, 1].into_iter().flat_map(|z| corners.map(|[x, y]| format!("v {x} {y} {z}\n")));
     let mut obj: String = vertices.collect();
@@ -35,7 +35,7 @@ fn prisms_turn_each_wavelength_by_its_least_deviation() {
     for (precision, allowed) in [("f32", 3e-6), ("f64", 2e-7)] {
         for nm in [404.66, 486.13, 587.56, 656.27] {
             let deviation = 2.0 * (heavy_flint(nm) * 0.5).asin() - 60.0_f64.to_radians();
-            // Inside it goes along the base, through the middle of both faces.
+            // Inside, the ray is parallel to the base and goes through the centers of both faces.
             let (sin, cos) = (deviation / 2.0).sin_cos();
             let (along, face) = (DVec3::new(cos, sin, 0.0), DVec3::new(-0.5, 0.75_f64.sqrt(), 0.0));
             let start = face - 3.0 * along;
@@ -52,7 +52,7 @@ fn prisms_turn_each_wavelength_by_its_least_deviation() {
     }
 }
 
-/// All wavelengths together are white, and none takes from another.
+/// All wavelengths add up to white, and none reduces another.
 #[test]
 fn colours_of_the_spectrum_add_up_to_white() {
     const COUNT: usize = 7000;
@@ -69,7 +69,7 @@ fn colours_of_the_spectrum_add_up_to_white() {
     assert_eq!([450.0, 530.0, 620.0].map(|nm| strongest(at(nm))), [2, 1, 0]);
 }
 
-/// The mean of each channel over a picture, with its standard error.
+/// Returns the mean of each channel over an image, with its standard error.
 fn means(text: &str) -> [(f64, f64); 3] {
     let picture = Renderer::new(&gpu(), &scene(text), RenderSettings::default()).unwrap().render().unwrap();
     assert_eq!(picture.totals.unfollowed(), 0, "{}", picture.totals);
@@ -84,7 +84,7 @@ fn ball(interior: &str, sky: &str, rest: &str) -> String {
     )
 }
 
-/// Glass under an even sky vanishes in every channel, whatever its dispersion.
+/// Glass under a uniform sky is invisible in every channel, whatever its dispersion.
 #[test]
 fn glass_under_a_white_sky_stays_white() {
     for glass in ["SF11", "diamond"] {
@@ -98,7 +98,7 @@ fn glass_under_a_white_sky_stays_white() {
     }
 }
 
-/// Where n is the same for all wavelengths, light is as in glass of that index, caustics and all.
+/// Glass with one index at all wavelengths gives the light of nondispersive glass, with the same caustics.
 #[test]
 fn glass_without_dispersion_is_plain_glass() {
     let rest = "[materials.floor]\nkind = \"phong\"\ndiffuse = [0.8, 0.5, 0.3]\n[materials.lamp]\nkind = \"emissive\"\n\

@@ -1,7 +1,7 @@
-//! The shift of light that is seen from inside an ergosphere, where its energy may be below 0, and of light from near a horizon: against
-//! Carter's equations from the constants of motion at the camera.
+//! The redshift of light that is seen from inside an ergosphere, where its energy may be negative, and of light from near a horizon,
+//! compared with Carter's equations and the constants of motion at the camera.
 
-#![allow(clippy::many_single_char_names)] // the formulas' own letters
+#![allow(clippy::many_single_char_names)] // the letters of the formulas
 
 use bentray::program::Layer;
 use bentray::render::{Plane, Rendering};
@@ -11,12 +11,12 @@ use crate::shifts::{rendered, shifts};
 use crate::spacetimes::typed;
 use crate::support::scene;
 
-/// A hole of mass 1 about the z axis, in Kerr–Schild coordinates.
+/// A black hole of mass 1 around the z axis, in Kerr–Schild coordinates.
 struct Hole {
     spin: f64,
 }
 
-/// Light of frequency 1 at the camera, going into the past: `K_t`, `K_φ` and Carter's constant, K = Q + (L − aE)².
+/// Light of frequency 1 at the camera, traced into the past: `K_t`, `K_φ` and Carter's constant, K = Q + (L − aE)².
 struct Light {
     energy: f64,
     turning: f64,
@@ -37,7 +37,8 @@ impl Hole {
         DMat4::from_diagonal(DVec4::new(1.0, 1.0, 1.0, -1.0)) + f * DMat4::from_cols(l.x * l, l.y * l, l.z * l, l.w * l)
     }
 
-    /// What an observer with zero angular momentum (or at rest) at x sees along d, of axes to the right, up and forward.
+    /// Returns the light that an observer with zero angular momentum (or a static one) at x sees along d, relative to axes to the right, up
+    /// and forward.
     fn light(&self, x: DVec3, axes: [DVec3; 3], d: DVec3, rests: bool) -> Light {
         let (a, g) = (self.spin, self.metric(x));
         let dot = |a: DVec4, b: DVec4| a.dot(g * b);
@@ -58,17 +59,17 @@ impl Hole {
         }
         let lowered = g * k;
         let (energy, turning) = (lowered.w, around.dot(lowered));
-        // ∂θ at the same φ of Kerr–Schild coordinates: ρ = √(r² + a²) sin θ and z = r cos θ.
+        // ∂θ at constant Kerr–Schild φ: ρ = √(r² + a²) sin θ and z = r cos θ.
         let (r, rho) = (self.radius(x), DVec2::new(x.x, x.y).length());
         let (s, cos) = ((r * r + a * a).sqrt(), x.z / r);
         let sin = rho / s;
         let polar = DVec3::new(x.x / rho * s * cos, x.y / rho * s * cos, -r * sin).dot(lowered.truncate());
-        // Into the past L has the other sign.
+        // Into the past L has the opposite sign.
         let carter = polar.powi(2) + (a * energy * sin + turning / sin).powi(2);
         Light { energy, turning, carter }
     }
 
-    /// Frequencies that matter in the equator at r sees, for light that comes from further in and from further out.
+    /// Returns the frequencies for matter in the equator at r, of light from smaller and from larger radii.
     fn frequencies(&self, light: &Light, r: f64) -> [f64; 2] {
         let a = self.spin;
         let [clock, turning, inwards] = self.matter(r);
@@ -78,7 +79,7 @@ impl Hole {
         [-1.0, 1.0].map(|sign| clock * light.energy + turning * light.turning + inwards * sign * radial)
     }
 
-    /// uᵗ, uᵠ and uʳ in Boyer–Lindquist coordinates: in orbit, and within the innermost stable one falling with its E and L.
+    /// Returns uᵗ, uᵠ and uʳ in Boyer–Lindquist coordinates: on a circular orbit, and inside the ISCO on a fall with its E and L.
     fn matter(&self, r: f64) -> [f64; 3] {
         let a = self.spin;
         let orbit = |r: f64| {
@@ -109,13 +110,13 @@ impl Hole {
     }
 }
 
-/// How many pixels see the disc, how many by light of negative energy, and the largest relative error of their shift.
+/// Returns the number of pixels that see the disk, the number that see it by light of negative energy, and the largest relative error of g.
 fn compared(picture: &Rendering, hole: &Hole, light: impl Fn(usize) -> Light, from: f64) -> (usize, usize, f64) {
     let Some(Plane::Vector([x, y, _])) = picture.band.layer(Layer::Position) else { panic!("no layer of places") };
     let (mut seen, mut negative, mut worst) = (0, 0, 0.0_f64);
     for (i, shift) in shifts(picture).iter().enumerate().filter(|(_, shift)| **shift != 0.0) {
         let r = (f64::from(x[i]).powi(2) + f64::from(y[i]).powi(2) - hole.spin.powi(2)).sqrt();
-        // The sky is not on the disc.
+        // Pixels of the sky are not on the disk.
         if !(from..13.0).contains(&r) {
             continue;
         }
@@ -136,12 +137,12 @@ const METHODS: [(&str, &str); 4] = [
     ("f64", "method = \"separated\"\nscaled_step = 0.02"),
 ];
 
-/// A disc of matter in orbit, and of matter that falls in, seen from inside the ergosphere and from far away, by the law of the hole and by its
-/// line element.
+/// Checks disks of orbiting and of infalling matter, seen from inside the ergosphere and from far away, with the black hole's law and with
+/// its line element.
 #[test]
 fn light_of_any_energy_is_shifted_as_its_constants_say() {
     let far = DVec3::new(29.544_232_590_366_242, 0.0, 5.209_445_330_007_912);
-    // With how many pixels at least see the disc by light of negative energy.
+    // The last value is the minimum number of pixels that see the disk by light of negative energy.
     for (spin, position, inside, least) in [
         (0.998, DVec3::new(1.6, 0.0, 0.35), true, 40),
         (0.9, DVec3::new(1.6, 1.0, -0.3), true, 0),
@@ -181,8 +182,8 @@ fn light_of_any_energy_is_shifted_as_its_constants_say() {
                 if inside { "zamo" } else { "static" },
             ));
             let picture = rendered(&scene);
-            // Matter in orbit is interpolated linearly between 4096 radii. Of matter that falls the part of K that is known but for a factor
-            // counts, and what that follows from is as small as Δ, 0.02 at the least.
+            // Orbiting matter is interpolated linearly between 4096 radii. For infalling matter a part of K counts that is known up to a
+            // factor, and its source is as small as Δ, which is at least 0.02.
             let falling = if precision == "f32" { 1e-3 } else { 1e-4 };
             for (what, from, bound) in [("orbits", hole.innermost_stable(), 5e-5), ("falls", horizon + 0.1, falling)] {
                 let (seen, negative, worst) = compared(&picture, &hole, light, from);

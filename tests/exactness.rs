@@ -1,4 +1,4 @@
-//! 'Model no more than a scene needs', made executable: nothing can be taken out of a scene's program.
+//! Checks 'Model no more than a scene needs': nothing can be removed from the program of a scene.
 
 use std::collections::{BTreeSet, HashSet};
 use std::path::Path;
@@ -13,7 +13,7 @@ use bentray::scene::{Override, Precision, Rays, Scene, TEMPLATES};
 use crate::support::branches::{Branch, fixed_branches};
 use crate::support::{pictured, scene, scenes_in, shipped_scenes};
 
-/// Everything that a module declares, by kind, as names.
+/// Returns the names of everything that a module declares, with their kinds.
 fn declared(module: &naga::Module) -> Vec<String> {
     let named = |kind: &str, name: &Option<String>| format!("{kind} {}", name.as_deref().unwrap_or("?"));
     let mut all: Vec<String> = module.functions.iter().map(|(_, f)| named("fn", &f.name)).collect();
@@ -25,7 +25,7 @@ fn declared(module: &naga::Module) -> Vec<String> {
     all
 }
 
-/// What naga would remove from the program as unused, and variables that are filled for nobody.
+/// Returns everything that naga would remove from the program as unused, and variables that are written but never read.
 pub fn unused(linked: &LinkedProgram) -> Result<Vec<String>, ProgramError> {
     let mut module = validated(linked)?;
     let before = declared(&module);
@@ -35,7 +35,7 @@ pub fn unused(linked: &LinkedProgram) -> Result<Vec<String>, ProgramError> {
     Ok(before.into_iter().filter(|name| !after.contains(name)).chain(idle).collect())
 }
 
-/// Constants that stand nowhere but where they are declared: naga keeps them all, for it has put their values in already.
+/// Returns constants that only occur in their declarations. naga keeps them all, because it has already substituted their values.
 fn unnamed(module: &naga::Module, source: &str) -> Vec<String> {
     let words: Vec<&str> = source.split(|c: char| !c.is_alphanumeric() && c != '_').collect();
     let names = module.constants.iter().filter_map(|(_, constant)| constant.name.as_deref());
@@ -43,11 +43,11 @@ fn unnamed(module: &naga::Module, source: &str) -> Vec<String> {
     unnamed.map(|name| format!("const {name}")).collect()
 }
 
-/// Entering a set of regions names the kind and the medium, whether or not the pass goes on to ask for them; and where all space is
-/// one region, `media[place]` has become a copy of the only medium. A pass notes its lane whether or not this scene's loops are long there.
+/// Names that may be unused. Entering a set of regions names the kind and the medium, even if the pass does not read them; if all space is
+/// one region, `media[place]` is a copy of the only medium. A pass notes its lane even if this scene has no long loops there.
 const ENTERED: [&str; 3] = ["region", "place", "own_lanes"];
 
-/// Private variables that nothing reads: copies of uniforms are such variables.
+/// Returns private variables that nothing reads, including copies of uniforms.
 fn unread(module: &naga::Module) -> Vec<String> {
     let functions = module.functions.iter().map(|(_, function)| function);
     let functions: Vec<_> = functions.chain(module.entry_points.iter().map(|entry| &entry.function)).collect();
@@ -73,7 +73,7 @@ fn unread(module: &naga::Module) -> Vec<String> {
     unread.map(|(_, variable)| format!("unread {}", variable.name.as_deref().unwrap_or("?"))).collect()
 }
 
-/// Cameras and samplings that no shipped scene has.
+/// Cameras and samplings that are in no shipped scene.
 const PICTURES: [&[&str]; 7] = [
     &["image.sampler=sobol"],
     &["image.adaptive=0.1", "image.samples=64", "output.tonemap=filmic"],
@@ -86,7 +86,7 @@ const PICTURES: [&[&str]; 7] = [
 
 #[test]
 fn nothing_can_be_taken_out_of_any_program() {
-    // Purposes differ in the same parts under every schedule.
+    // Purposes differ in the same modules under every schedule.
     let purposes = |schedule| match schedule {
         Schedule::Whole | Schedule::Paper => [Mode::Picture, Mode::Trace, Mode::Pixels].as_slice(),
         _ => &[Mode::Picture],
@@ -97,13 +97,13 @@ fn nothing_can_be_taken_out_of_any_program() {
         .collect();
     let shipped: Vec<_> = shipped_scenes().into_iter().chain(shipped).collect();
     let hole = shipped.iter().find(|path| path.ends_with("schwarzschild_sky.toml")).unwrap();
-    // Many scenes share a pass, and many programs of one scene.
+    // Many scenes share a pass, and so do many programs of one scene.
     let mut seen = HashSet::new();
     let changed = PICTURES.iter().map(|keys| (hole, keys.iter().map(|key| key.parse().unwrap()).collect()));
     for (i, (path, keys)) in shipped.iter().map(|path| (path, Vec::<Override>::new())).chain(changed).enumerate() {
         let scene = Scene::load(path, &keys).unwrap_or_else(|error| panic!("{error}"));
         let geometry = Geometry::new(&scene);
-        // In one pass, and half of the other schedules.
+        // The megakernel, and half of the other schedules.
         let taken = |(k, schedule): &(usize, Schedule)| *schedule == Schedule::Whole || (i + k) % 2 == 0;
         for (_, schedule) in Schedule::ALL.into_iter().enumerate().filter(taken) {
             for (masks, layers) in [(RaySkipping::List, Vec::new()), (RaySkipping::Off, Layer::ALL.to_vec())] {
@@ -115,7 +115,7 @@ fn nothing_can_be_taken_out_of_any_program() {
                         if !seen.insert(linked.source.clone()) {
                             continue;
                         }
-                        // More than three uniform buffers are more than lavapipe's search for inlinable uniforms bears.
+                        // With more than three uniform buffers lavapipe's search for inlinable uniforms fails.
                         let uniform =
                             |kind: &BindingKind| matches!(kind, BindingKind::Uniform(_) | BindingKind::Block { .. });
                         let buffers = reflection.bindings.iter().filter(|binding| uniform(&binding.kind)).count();
@@ -123,7 +123,7 @@ fn nothing_can_be_taken_out_of_any_program() {
                         let unused = unused(linked).unwrap_or_else(|error| panic!("{error}"));
                         assert!(
                             unused.is_empty(),
-                            "{}: pass {} has {unused:?} for nothing",
+                            "{}: pass {} has {unused:?} without use",
                             path.display(),
                             pass.entry()
                         );
@@ -134,7 +134,7 @@ fn nothing_can_be_taken_out_of_any_program() {
     }
 }
 
-/// What scenes of `scenes/` do not have: filters by formulas of which some are constant, and every look of a texture.
+/// Features that are missing from `scenes/`: absorption by formulas with constant components, and every pattern of a texture.
 const FILTERS: [&str; 6] = [
     "coefficient = [\"0.4\", \"r\", \"x^2\"]",
     "transmittance = [\"0.4\", \"1\", \"exp(-r)\"]",
@@ -144,8 +144,8 @@ const FILTERS: [&str; 6] = [
     "coefficient = \"2\", emission = [1, 1, 1]",
 ];
 
-/// A pass as a device gets it, with the values of its pipeline constants: then all constant expressions are evaluated once more, also those
-/// of functions.
+/// Validates a pass as a device receives it, with the values of its pipeline constants. All constant expressions are then evaluated again,
+/// also those in functions.
 fn with_constants(linked: &LinkedProgram) -> Result<(), String> {
     let module = naga::front::wgsl::parse_str(&linked.source).map_err(|error| error.to_string())?;
     let capabilities = naga::valid::Capabilities::default() | naga::valid::Capabilities::FLOAT64;
@@ -156,7 +156,7 @@ fn with_constants(linked: &LinkedProgram) -> Result<(), String> {
     made.map(|_| ()).map_err(|error| error.to_string())
 }
 
-/// In 64 bits every shipped scene is valid WGSL, by all of its purposes: a bare literal is an f32 wherever nothing beside it is not.
+/// In 64 bits every shipped scene is valid WGSL, for all purposes: a bare literal is an f32 unless another operand is not.
 #[test]
 fn every_scene_is_valid_in_64_bits() {
     let folders = ["", "/bench", "/groller", "/laws", "/light", "/paths", "/spacetimes", "/stability", "/thesis"];
@@ -179,10 +179,8 @@ fn every_scene_is_valid_in_64_bits() {
     for (scene, name) in shipped.chain(templates).chain(filtered) {
         count += 1;
         let geometry = Geometry::new(&scene);
-        // Which validates all passes.
-        let made = |scene: &Scene, options: &ProgramOptions| {
-            Program::new(scene, &geometry.analysis, options, geometry.extent())
-        };
+        // This validates all passes.
+        let made = |scene: &Scene, options: &ProgramOptions| Program::new(scene, &geometry.analysis, options, geometry.extent());
         let whole = |mode| ProgramOptions { mode, layers: Layer::ALL.to_vec(), ..ProgramOptions::default() };
         let fused = |mode| ProgramOptions { schedule: Schedule::Fused, mode, ..ProgramOptions::default() };
         for options in [whole(Mode::Picture), whole(Mode::Trace), fused(Mode::Picture)] {
@@ -193,7 +191,7 @@ fn every_scene_is_valid_in_64_bits() {
                 }
             }
         }
-        // What not every scene can be asked for, in 64 bits where it can in 32.
+        // Purposes that not every scene allows are checked in 64 bits if 32 bits allow them.
         let single = Scene { rays: Rays { precision: Precision::Single, ..scene.rays.clone() }, ..scene.clone() };
         for options in [Mode::Lit, Mode::Light].map(fused) {
             if !scene.lights.is_empty() && made(&single, &options).is_ok() {
@@ -206,8 +204,8 @@ fn every_scene_is_valid_in_64_bits() {
     assert!(count > 80, "{count} scenes");
 }
 
-/// naga's HLSL knows the number of workgroups in an entry point alone: in a function that is handed it, it is the group's id, so that on
-/// DX12 rows of a list would overlap. No pass asks for it.
+/// In naga's HLSL the number of workgroups is only correct in an entry point: a function that receives it gets the group's id, so that rows
+/// of a list would overlap on DX12. No pass reads it.
 #[test]
 fn no_pass_asks_for_the_number_of_workgroups() {
     let is_count =
@@ -230,7 +228,7 @@ fn no_pass_asks_for_the_number_of_workgroups() {
     }
 }
 
-/// Branches that stay: each its file, its condition, and the reason.
+/// Branches that remain: the file, the condition, and the reason.
 const ALLOWED: [(&str, &str, &str); 5] = [
     ("generated/images.wgsl", "image", "each of two skies has its own picture"),
     ("generated/kinds.wgsl", "region", "the kind of a region of a list, which has one here"),
@@ -247,7 +245,7 @@ const ALLOWED: [(&str, &str, &str); 5] = [
     ),
 ];
 
-/// What the scene fixes is in the choice of parts: no program asks it of a uniform or a constant.
+/// Values that a scene fixes determine the choice of modules: no program branches on a uniform or constant for them.
 #[test]
 fn programs_do_not_branch_on_what_the_scene_fixes() {
     let mut found = BTreeSet::new();
@@ -266,7 +264,7 @@ fn programs_do_not_branch_on_what_the_scene_fixes() {
             (Schedule::Fused, Mode::Light),
             (Schedule::Fused, Mode::Caustics),
         ];
-        // Beside each scene's picture, half of what else its programs are for.
+        // In addition to each scene's images, half of the programs for other purposes.
         for (schedule, mode) in others.into_iter().skip(k % 2).step_by(2) {
             let options = ProgramOptions { schedule, mode, device: DeviceProfile::cpu(8), ..ProgramOptions::default() };
             note(&Program::new(&scene, &geometry.analysis, &options, geometry.extent()).unwrap());
@@ -282,7 +280,7 @@ fn programs_do_not_branch_on_what_the_scene_fixes() {
     }
 }
 
-/// A program of one function, between uniforms of every shape and what uses them all.
+/// Returns a program of one function, with uniforms of every shape and uses of them all.
 fn planted(function: &str) -> LinkedProgram {
     let text = format!(
         "override WIDE: u32 = 1u;\nconst LEAPS: bool = false;\nconst ONE: u32 = 1u;\nconst TWO: u32 = 2u;\n\
@@ -301,7 +299,7 @@ fn planted(function: &str) -> LinkedProgram {
          out[id.x] = followed(out[id.x]) + list[region].a + pair[0].a + pair[1].a + one[0].a + law.a;\n}}\n"
     );
     let unit = Unit::user("planted.wgsl", text);
-    // Where uniforms are copied there is more to find.
+    // Copies of uniforms leave more to find.
     let device = DeviceProfile { loop_budget: None, ..DeviceProfile::cpu(8) };
     link(&Parts { shared: vec![unit], device, ..Parts::default() }, "entry").unwrap()
 }
@@ -353,7 +351,7 @@ fn other_branches_are_not() {
     }
 }
 
-/// What a part declares or reads for nothing is found, where the linker leaves it in.
+/// Unused declarations and reads are found if the linker leaves them in.
 #[test]
 fn the_check_finds_what_is_unused() {
     let clean = planted("");
@@ -375,6 +373,6 @@ fn the_check_finds_what_is_unused() {
     ] {
         assert_eq!(with(followed, &format!("{planted}\n{followed}")), [found], "{planted}");
     }
-    // A copy that is filled, and never read.
+    // A copy that is written, and never read.
     assert_eq!(with("+ law.a", ""), ["unread law"]);
 }

@@ -1,12 +1,12 @@
-//! Tests surfaces by a custom law: as mirrors if the law reflects, without effect if it sends rays straight ahead, and with
-//! all the light of its weights.
+//! Tests surfaces by a custom law: a reflecting law acts as a mirror, a law that continues rays straight ahead has no effect, and the light
+//! is the sum of the weights.
 
 use bentray::render::{RenderSettings, Renderer};
 use glam::DVec3;
 
 use crate::support::{gpu, scene};
 
-/// A ball and a pane of the material, before a sky, a floor and another ball.
+/// Returns a scene with a ball and a pane of the material, in front of a sky, a floor and another ball.
 fn room(material: &str, rays: &str, law: &str) -> String {
     format!(
         "[image]\nsize = [64, 48]\n[camera]\nposition = [0, 2, 9]\nfov = 45\n[law]\n{law}\n[rays]\nbounding_sphere = {{ radius = 40 }}\n{rays}\n\
@@ -26,7 +26,7 @@ fn picture(text: &str) -> Vec<DVec3> {
     (0..red.len()).map(|i| DVec3::new(red[i].into(), green[i].into(), blue[i].into())).collect()
 }
 
-/// The part of the pixels that are as good as the same.
+/// Returns the fraction of the pixels that agree.
 fn alike(a: &[DVec3], b: &[DVec3]) -> f64 {
     let same = a.iter().zip(b).filter(|(a, b)| (**a - **b).abs().max_element() < 1e-3).count();
     same as f64 / a.len() as f64
@@ -56,8 +56,7 @@ fn a_fan_of_one_ray_is_a_mirror_or_nothing() {
     }
 }
 
-/// Under a sky that is the same everywhere, weights that add up to 1 show nothing of the surface; other sums dim it. Both ways to branch
-/// come to the same.
+/// Under a uniform sky, weights that add up to 1 hide the surface; smaller sums darken it. Ray splitting and random choices agree.
 #[test]
 fn weights_are_what_a_surface_gives_back() {
     let three = |a: f64, b: f64, c: f64| {

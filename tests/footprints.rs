@@ -1,5 +1,5 @@
-//! Tests the texture filtering of pixels: means over the footprint, wherever light is bent, and the same in every schedule
-//! and tile.
+//! Tests the texture filtering of pixels: colors are means over the footprint, also for bent light, and identical in every schedule and
+//! tile.
 
 use std::sync::Arc;
 
@@ -19,7 +19,7 @@ fn shown(scene: &Scene) -> Band {
     of(scene, Schedule::Fused, u64::MAX)
 }
 
-/// A wall of 4 by 4, seen by parallel rays so that it fills the picture.
+/// Returns a scene with a wall of 4 by 4 that fills the image, seen by parallel rays.
 fn wall(size: u32, color: &str) -> Scene {
     scene(&format!(
         "[image]\nsize = [{size}, {size}]\nfootprints = true\n[camera]\nkind = \"orthographic\"\nheight = 4\nposition = [0, 0, 9]\n[rays]\n\
@@ -28,7 +28,7 @@ fn wall(size: u32, color: &str) -> Scene {
     ))
 }
 
-/// Numbers that are as good as random, from 0 to 1.
+/// Returns a pseudorandom number from 0 to 1.
 fn noise(i: u32) -> f32 {
     let state = i.wrapping_mul(747_796_405).wrapping_add(2_891_336_453);
     let word = ((state >> ((state >> 28) + 4)) ^ state).wrapping_mul(277_803_737);
@@ -42,7 +42,7 @@ fn picture(size: [u32; 2]) -> Picture {
 
 const IMAGE: &str = "{ image = \"data/stars.png\", repeat = [1, 1] }";
 
-/// Where a pixel covers 2, 4 or 8 texels each way it is their mean.
+/// A pixel that covers 2, 4 or 8 texels in each direction is their mean.
 #[test]
 fn a_pixel_is_the_mean_of_its_texels() {
     let with = |size: u32, footprints: bool| {
@@ -58,14 +58,14 @@ fn a_pixel_is_the_mean_of_its_texels() {
             for (i, seen) in (0..).zip(channel) {
                 let (x, y) = (i % (64 / cells) * cells, i / (64 / cells) * cells);
                 let sum: f32 = (0..cells * cells).map(|k| all[((y + k / cells) * 64 + x + k % cells) as usize]).sum();
-                // Texels are in 16 bits, and rounded once more for each copy.
+                // Texels are stored in 16 bits, and rounded again for each reduced copy.
                 assert!((seen - sum / (cells * cells) as f32).abs() < 2e-3, "{cells}, pixel {i}");
             }
         }
     }
 }
 
-/// A picture whose texels are larger than pixels is as sharp as without, to the bit.
+/// An image whose texels are larger than pixels is bit-identical with and without filtering.
 #[test]
 fn what_is_magnified_stays_as_it_is() {
     for text in [IMAGE, "[0.2, 0.4, 0.6]"] {
@@ -79,7 +79,7 @@ fn what_is_magnified_stays_as_it_is() {
     }
 }
 
-/// The mean of a checker over a box, in 64 bits and by counting.
+/// Returns the mean of a checker pattern over a box, in 64 bits and by counting.
 #[test]
 fn checkers_are_means_over_the_pixel() {
     const FINE: u32 = 400;
@@ -91,11 +91,11 @@ fn checkers_are_means_over_the_pixel() {
             let at = |k: u32, pixel: u32| (f64::from(pixel) + (f64::from(k) + 0.5) / f64::from(FINE)) / f64::from(size);
             let sign = |x: f64| 1.0 - 2.0 * ((x * repeat).floor().rem_euclid(2.0));
             let mean = |pixel: u32| (0..FINE).map(|k| sign(at(k, pixel))).sum::<f64>() / f64::from(FINE);
-            // v runs upwards.
+            // v increases upwards.
             let expected = 0.5 + 0.5 * mean(i % size) * mean(size - 1 - i / size);
             (f64::from(band.color[0][i as usize]) - expected).abs()
         });
-        // Two edges fall between the points that are counted, and u is known to some 1e-6 of 72.
+        // Two edges can be between the counted points, and u has an error of about 1e-6 of 72.
         let worst = worst.fold(0.0, f64::max);
         assert!(worst < 2.0 / f64::from(FINE), "{repeat}: {worst}");
     }
@@ -118,13 +118,13 @@ fn distance(a: &Band, b: &Band) -> f64 {
     (squares.sum::<f64>() / (3 * a.color[0].len()) as f64).sqrt()
 }
 
-/// Behind a black hole, on a floor and in the sky: one sample is much nearer to what many come to.
+/// Behind a black hole, on a floor and in the sky, one filtered sample is much closer to the mean of many samples.
 #[test]
 fn one_sample_is_nearer_to_many() {
     let many = shown(&lens(400, false));
     let [plain, filtered] = [false, true].map(|footprints| distance(&shown(&lens(1, footprints)), &many));
     assert!(filtered < 0.5 * plain, "{filtered} {plain}");
-    // With more samples each stands for less, and both come to the same.
+    // With more samples each has a smaller footprint, and both results converge.
     let [plain, filtered] = [false, true].map(|footprints| distance(&shown(&lens(16, footprints)), &many));
     assert!(filtered < plain, "{filtered} {plain}");
 }
@@ -142,7 +142,7 @@ fn schedules_and_tiles_do_not_show() {
     }
 }
 
-/// Where there is nothing to average the program is as without.
+/// Without textures to average, the program is identical to that without filtering.
 #[test]
 fn nothing_is_modelled_for_plain_colors() {
     let program = |text: &str, footprints: bool| {
