@@ -8,8 +8,8 @@ use glam::DVec3;
 
 use crate::support::{gpu, scene};
 
-/// How rays are followed, the camera, the walls, n² at the camera over n² at the walls, and the law. r² is 0.14 where `round` and
-/// `steep` are, 1.74 at `aside` and `front`; `inside` is 0.03 from the middle of what is clear.
+/// The rays, the camera, the walls, n² at the camera divided by n² at the walls, and the law. r² is 0.14 at the cameras `round` and
+/// `steep`, and 1.74 at `aside` and `front`; `inside` is 0.03 from the center of the transparent object.
 const LAWS: &str = r#"
     closed | round | room  | 1 | { kind = "straight" }
     planar | round | ball  | 1 | { kind = "schwarzschild", mass = 0.2, center = [5, 0, 0] }
@@ -29,7 +29,7 @@ const LAWS: &str = r#"
     steps  | round | ball  | 1 | { kind = "sources", sources = [{ position = [0, 0.6, 0], strength = -0.2 }], absorption = { coefficient = 0.3, emission = [0.3, 0.15, 0.09] } }
 "#;
 
-/// The same of media that fill space. Walls are where the index is the same all over them.
+/// Furnaces in media that fill space. Walls are where the index is constant over them.
 const SPACES: &str = r#"
     closed | round | ball  | 1 | "water"
     closed | round | ball  | (2.5 - 0.14/4)/1.5 | { kind = "luneburg", c = 2.5, radius = 2 }
@@ -50,7 +50,7 @@ const SPACES: &str = r#"
     leaps  | aside | ball  | 1 | GRID
 "#;
 
-/// And of clear things in a furnace, which nobody can see.
+/// Furnaces with transparent objects, which must be invisible.
 const INTERIORS: &str = r#"
     closed | front  | box    | 1 | 1.5
     closed | front  | sphere | 1 | "diamond"
@@ -78,7 +78,7 @@ const INTERIORS: &str = r#"
     closed | front  | sphere | 1 | { kind = "constant", n = 1.5, absorption = { coefficient = 0.4, emission = [0.9, 0.45, 0.27] } }
 "#;
 
-/// Of light that bends back to the surface that it leaves.
+/// Furnaces in which light bends back to the surface that it leaves.
 const RETURNS: &str = r#"
     steps  | round | ball   | 1 | { kind = "wgsl", file = "laws/magnetic.wgsl", depends = "velocity", parameters = { axis = [0, 1, 0], strength = 0.9, width = 30 } }
     planar | round | ball   | 1 | { kind = "sources", sources = [{ position = [0, -6, 0], strength = 10 }] }
@@ -89,7 +89,7 @@ const RETURNS: &str = r#"
     closed | front | glass  | 1 | { kind = "straight" }
 "#;
 
-/// What the tables' words stand for.
+/// The meanings of the words in the tables.
 const WORDS: &str = r#"
     closed | max_segments = 40000
     steps  | method = "rk4", scaled_step = 0.1, max_segments = 40000
@@ -120,7 +120,7 @@ fn rows(table: &str) -> impl Iterator<Item = Vec<&str>> {
     table.lines().filter(|line| !line.is_empty()).map(|line| line.split(" | ").map(str::trim).collect())
 }
 
-/// Samples of an index: 1.5 where r² is 0.14, 1.3 along the border and so all round, and anything between.
+/// Returns samples of an index: 1.5 at r² = 0.14, 1.3 along the whole border, and arbitrary values between.
 fn samples() -> Vec<u8> {
     let index = |i: u32| match [i % 13, i / 13 % 13, i / 169] {
         [6, 6, 6] => 1.5,
@@ -130,7 +130,8 @@ fn samples() -> Vec<u8> {
     (0..13 * 13 * 13).flat_map(|i| index(i).to_le_bytes()).collect()
 }
 
-/// Every pixel is what it has to be, and no path is lost: of one that is dark by then no pixel would tell.
+/// Checks that every pixel has the expected radiance and that no path is lost, because a path that is already dark would not affect its
+/// pixel.
 fn check(table: &str, size: [u32; 2], samples_a_pixel: u32, law_and_objects: fn(&str, &str) -> [String; 2]) {
     let folder = tempfile::tempdir().unwrap();
     std::fs::write(folder.path().join("index.raw"), samples()).unwrap();
@@ -155,7 +156,7 @@ fn check(table: &str, size: [u32; 2], samples_a_pixel: u32, law_and_objects: fn(
         let mut off = 0.0_f64;
         for (values, radiance) in picture.band.color.iter().zip([1.0, 0.5, 0.3]) {
             let each = values.iter().map(|value| (f64::from(*value) / (radiance * brighter) - 1.0).abs());
-            // What is no number is as wrong as can be.
+            // NaN is the largest error.
             off = each.map(|off| if off.is_nan() { f64::INFINITY } else { off }).fold(off, f64::max);
         }
         let totals = &picture.totals;

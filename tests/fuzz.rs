@@ -20,7 +20,7 @@ use bentray::scene::{LineElement, Mesh, Picture, Profile};
 use mutate::{Random, mutated};
 use readers::{READERS, Reader};
 
-/// Where the input at hand is kept, to be seen if it is the last.
+/// The file that receives the current input, for inspection after a crash.
 fn last() -> PathBuf {
     Path::new(env!("CARGO_TARGET_TMPDIR")).join("fuzz-last")
 }
@@ -33,10 +33,10 @@ fn corpus(reader: &Reader) -> Vec<(String, Vec<u8>)> {
     paths.iter().map(|path| (path.display().to_string(), std::fs::read(path).unwrap())).collect()
 }
 
-/// Set in the process that reads.
+/// The environment variable of the process that reads.
 const READS: &str = "BENTRAY_TEST_READS";
 
-/// Memory is counted for a whole process, so this test runs itself once more in one of its own; and where that ends at once, it is seen.
+/// Memory is counted per process, so this test starts itself again in a separate process, and reports if that process ends early.
 #[test]
 fn readers_bear_the_corpus_and_what_is_near_it() {
     if std::env::var_os(READS).is_some() {
@@ -81,7 +81,7 @@ fn every_reader_has_a_corpus() {
     }
 }
 
-/// What the fuzzer found that a file can say wrongly, and what is said of it.
+/// Checks the error messages of files that the fuzzer found.
 #[test]
 fn what_was_found_is_refused_in_words() {
     let path = |name: &str| readers::folder().join("corpus").join(name);

@@ -16,11 +16,11 @@ fn folder(name: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("scenes").join(name)
 }
 
-/// The words of the page's render commands, as a shell splits them.
+/// Returns the words of the page's render commands as a shell splits them.
 fn commands(folder: &Path) -> Vec<Vec<String>> {
     let page = std::fs::read_to_string(folder.join("README.md")).unwrap();
     let lines = page.lines().filter_map(|line| line.strip_prefix("    bentray render "));
-    // What is quoted is every other part.
+    // Every second part is quoted.
     let words = |line: &str| -> Vec<String> {
         let parts = line.split('\'').enumerate();
         parts
@@ -33,7 +33,7 @@ fn commands(folder: &Path) -> Vec<Vec<String>> {
     lines.map(words).collect()
 }
 
-/// How far two pictures are apart in what the eye sees: sRGB values, averaged over pieces, for a fractal has no pixel of its own.
+/// Returns the visible difference of two images: sRGB values, averaged over blocks because the pixels of a fractal are not reproducible.
 fn difference(a: &image::RgbImage, b: &image::RgbImage) -> f64 {
     assert_eq!(a.dimensions(), b.dimensions());
     let small = |picture: &image::RgbImage| image::imageops::thumbnail(picture, a.width() / 4, a.height() / 4);
@@ -42,18 +42,18 @@ fn difference(a: &image::RgbImage, b: &image::RgbImage) -> f64 {
     off.sum::<f64>() / a.as_raw().len() as f64
 }
 
-/// What a page's command asks for.
+/// The arguments of a command on a page.
 struct Asked {
     scene: PathBuf,
     sets: Vec<Override>,
     schedule: Schedule,
-    /// Of a film the last of its frames.
+    /// The last frame of a video.
     frame: Option<f64>,
     name: String,
 }
 
 impl Asked {
-    /// Reads the words behind `bentray render`.
+    /// Reads the words after `bentray render`.
     fn read(folder: &Path, words: &[String]) -> Self {
         let (scene, options) = words.split_first().expect("a scene");
         let mut asked = Self {
@@ -77,7 +77,7 @@ impl Asked {
         asked
     }
 
-    /// The scene at a time, if it is one of a film's.
+    /// Loads the scene, at this time if it belongs to a video.
     fn load(&self, time: Option<f64>) -> Scene {
         let at = |time: f64| move |_: &str| time;
         let at = time.map(at);
@@ -87,10 +87,9 @@ impl Asked {
     }
 }
 
-/// What makes a picture small: one sample of a few pixels, or where directions on the way of its light are drawn at random, so that
-/// few samples are noise, of fewer pixels and some samples. (References of these have so many that their own noise is near 1 % of
-/// the mean.) Rays are as accurate as such a pixel
-/// can show, and a grid of light has as many paths as make no noise that is seen.
+/// Returns overrides for a small image: one sample for few pixels, or some samples for fewer pixels if directions are drawn at random.
+/// (References of random images have so many samples that their noise is near 1 % of the mean.) Rays are as accurate as such a pixel can
+/// show, and a photon grid has enough paths to make its noise invisible.
 fn smaller(asked: &Asked) -> Vec<Override> {
     let scene = asked.load(None);
     let (samples, size) = if scene.rays.path_tracing.is_some() {
@@ -112,7 +111,7 @@ fn smaller(asked: &Asked) -> Vec<Override> {
     more.iter().map(|set| set.parse().unwrap()).collect()
 }
 
-/// A picture as the page's command makes it, but small: by the stages of `render`, on one device.
+/// Renders a small version of the page's image with the stages of `render`, on one device.
 fn rendered(gpu: &Gpu, mut asked: Asked, to: &Path) -> image::RgbImage {
     asked.sets.extend(smaller(&asked));
     let (first, mut scene) = (asked.load(asked.frame.map(|_| 0.0)), asked.load(asked.frame));
@@ -130,7 +129,7 @@ fn rendered(gpu: &Gpu, mut asked: Asked, to: &Path) -> image::RgbImage {
     image::open(path).unwrap().to_rgb8()
 }
 
-/// Films of the pages have 48 frames.
+/// The videos on the pages have 48 frames.
 const LAST_FRAME: &str = "47";
 
 fn figures_are_as_they_were_looked_at(name: &str, least: usize) {
@@ -148,7 +147,7 @@ fn figures_are_as_they_were_looked_at(name: &str, least: usize) {
         off.push((difference(&reference, &rendered(&gpu, asked, to.path())), name));
     }
     let far: Vec<_> = off.iter().filter(|(off, _)| *off > 4.0).collect();
-    assert!(far.is_empty(), "off by so many of 255: {far:?}");
+    assert!(far.is_empty(), "differences out of 255: {far:?}");
 }
 
 #[test]

@@ -15,7 +15,7 @@ fn rendered(text: &str, options: ProgramOptions) -> Rendering {
         .unwrap()
 }
 
-/// Exponent, degrees from the normal, the part of a lobe above the surface, and the albedo of the reciprocal form.
+/// The exponent, the angle from the normal in degrees, the fraction of a lobe above the surface, and the albedo of the reciprocal form.
 const LOBES: [[f64; 4]; 6] = [
     [0.0, 60.0, 0.666_666_7, 0.75],
     [1.0, 45.0, 0.853_553_4, 0.755_409_2],
@@ -25,7 +25,7 @@ const LOBES: [[f64; 4]; 6] = [
     [1000.0, 85.0, 0.997_128_0, 0.087_183_0],
 ];
 
-/// A disk under an even sky, seen at an angle.
+/// Returns a scene with a disk under a uniform sky, seen at an angle.
 fn disk(material: &str, transport: &str, degrees: f64) -> String {
     let (sin, cos) = degrees.to_radians().sin_cos();
     format!(
@@ -62,7 +62,7 @@ const BALL: &str = "[image]\nsize = [32, 32]\nsamples = 16\n[camera]\nposition =
     [[objects]]\nshape = \"box\"\nmaterial = \"wall\"\ncenter = [0, 0, -3]\nsize = [9, 9, 1]\n\
     [[objects]]\nshape = \"sphere\"\ninterior = { kind = \"constant\", n = 1.5, GLOSS }\n";
 
-/// A lobe that is narrow enough is the smooth surface.
+/// A sufficiently narrow lobe acts as the smooth surface.
 #[test]
 fn narrow_lobes_are_smooth() {
     let smooth = rendered(&BALL.replace(", GLOSS", ""), ProgramOptions::default());
@@ -79,8 +79,8 @@ fn narrow_lobes_are_smooth() {
     assert!(apart(&rough) > 0.05, "{}", apart(&rough));
 }
 
-/// What a surface of microfacets between air and a medium of index n reflects and transmits at an angle, by sums over the directions in
-/// which light leaves (Walter et al. 2007, Eqs. 20, 21, 33 and 34; Smith's G).
+/// Returns the reflected and transmitted fractions of a microfacet surface between air and a medium of index n at an angle, by sums over
+/// the outgoing directions (Walter et al. 2007, Eqs. 20, 21, 33 and 34; Smith's G).
 #[allow(clippy::many_single_char_names, reason = "the letters of the paper")]
 fn microfacet_albedos(a: f64, n: f64, degrees: f64) -> [f64; 2] {
     const STEPS: usize = 600;
@@ -99,7 +99,7 @@ fn microfacet_albedos(a: f64, n: f64, degrees: f64) -> [f64; 2] {
     let mut sums = [0.0; 2];
     let cell = 2.0 * PI / STEPS as f64 / STEPS as f64;
     for (j, k) in (0..STEPS).flat_map(|j| (0..STEPS).map(move |k| (j, k))) {
-        // Finer towards the normal, where narrow lobes are.
+        // Steps are finer near the normal, where lobes are narrow.
         let u = (j as f64 + 0.5) / STEPS as f64;
         let (z, cell) = (1.0 - u * u, cell * 2.0 * u);
         let (s, phi) = ((1.0 - z * z).sqrt(), PI * (2.0 * k as f64 + 1.0) / STEPS as f64);
@@ -118,7 +118,7 @@ fn microfacet_albedos(a: f64, n: f64, degrees: f64) -> [f64; 2] {
     sums
 }
 
-/// A thick plate under a red sky, with green light inside.
+/// Checks a thick plate under a red sky, with green light inside.
 #[test]
 fn microfacets_reflect_and_transmit_by_their_distribution() {
     for (a, n, degrees) in [(0.3, 1.5, 0.0), (0.3, 1.5, 60.0), (0.6, 1.5, 45.0), (0.5, 1.3, 75.0), (1.0, 2.4, 30.0)] {
@@ -148,7 +148,7 @@ fn microfacets_reflect_and_transmit_by_their_distribution() {
     }
 }
 
-/// Light that would end on the wrong side is dropped, and counted.
+/// Light that would end on the wrong side is lost and counted.
 #[test]
 fn lost_light_is_counted() {
     let rough = BALL.replace("GLOSS", "reflect_exponent = 2, transmit_exponent = 2");

@@ -5,18 +5,18 @@ use glam::DVec3;
 
 use crate::support::{gpu, scene};
 
-/// Two centers and a line, by every fall-off.
+/// Two centers and a line, with every falloff.
 const SOURCES: &str = "[[law.sources]]\nposition = [0, 1, 0]\nstrength = S1\n\
     [[law.sources]]\nposition = [2, -2, 1]\nstrength = S2\nfalloff = { cubic = 4 }\n\
     [[law.sources]]\nkind = \"line\"\nposition = [-2, -3, 0]\ndirection = [0, 0.3, 1]\nstrength = S3\n";
 
-/// Strengths, each times `part`.
+/// Returns sources with their strengths multiplied by `part`.
 fn sources(part: f64) -> String {
     let numbers = [0.4, -0.3, 0.2].map(|strength| format!("{}", part * strength));
     SOURCES.replace("S1", &numbers[0]).replace("S2", &numbers[1]).replace("S3", &numbers[2])
 }
 
-/// The sum of their accelerations, and of their potentials.
+/// Returns the sum of their accelerations, and of their potentials.
 fn force(x: DVec3) -> (DVec3, f64) {
     let along = DVec3::new(0.0, 0.3, 1.0).normalize();
     let off = x - DVec3::new(-2.0, -3.0, 0.0);
@@ -46,7 +46,7 @@ fn ends(law: &str, rays: &str) -> Vec<Traced> {
     trace(&gpu(), &scene(&text), &RenderSettings::default(), &STARTS).unwrap().0
 }
 
-/// A loop over Table 1, word by word.
+/// Returns the end of a literal implementation of Table 1.
 fn iterated(start: [f64; 6], step: f64, steps: u32, next: impl Fn(DVec3, DVec3) -> DVec3) -> DVec3 {
     let (mut x, mut v) = (DVec3::from_slice(&start[..3]), DVec3::from_slice(&start[3..]));
     for _ in 0..steps {
@@ -64,7 +64,7 @@ fn the_iteration_is_as_printed() {
         assert_eq!(end.status, Status::Ended);
         assert!(DVec3::from(end.x).distance(want) < 1e-9, "{end:?} {want}");
     }
-    // The first v of a flow is the field too.
+    // The first v of a flow is also the field.
     let field = |x: DVec3| DVec3::new(-(x.y + x.z), x.x + 0.375 * x.y, 2.0 + x.z * (x.x - 4.0));
     for (start, end) in STARTS.into_iter().zip(ends("kind = \"rossler\"", rays)) {
         let v = field(DVec3::new(start[0], start[1], start[2]));
@@ -73,7 +73,7 @@ fn the_iteration_is_as_printed() {
     }
 }
 
-/// With M h in place of M its rays come to those by arc length, as fast as an Euler method's.
+/// With M h instead of M its rays converge to those by arc length at the rate of the Euler method.
 #[test]
 fn the_iteration_comes_to_the_law_by_length() {
     let law = |part: f64| format!("kind = \"sources\"\n{}", sources(part));
@@ -88,12 +88,12 @@ fn the_iteration_comes_to_the_law_by_length() {
         let ratio = coarse / fine;
         assert!((1.7..2.3).contains(&ratio), "{coarse:e} to {fine:e}");
     }
-    // By time it is another path.
+    // With time as the parameter the path is different.
     let by_time = ends(&law(1.0), "tolerance = 1e-12\nmax_parameter = 12\nprecision = \"f64\"");
     assert!(by_time.iter().zip(&exact).all(|(a, b)| a.distance_to(b) > 1e-2));
 }
 
-/// |v| + V is kept, τ is the path's length, and segments are on the path.
+/// Checks that |v| + V is constant, τ is the path length, and segments are on the path.
 #[test]
 fn the_law_by_length_keeps_what_it_says() {
     let law = format!("kind = \"sources\"\nparameter = \"length\"\n{}", sources(1.0));
@@ -109,7 +109,7 @@ fn the_law_by_length_keeps_what_it_says() {
             assert!((end.tau - 12.0).abs() < 1e-9);
         }
     }
-    // A wall met by long arcs, and by short ones.
+    // A wall hit by long arcs and by short ones.
     let wall = "[materials.m]\nkind = \"emissive\"\ncolor = [1, 1, 1]\n[[objects]]\nshape = \"sphere\"\ncenter = [3, 0, 0]\nradius = 2.5\nmaterial = \"m\"\n";
     let met = |step: &str| ends(&law, &format!("{step}\nprecision = \"f64\"\n{wall}"));
     let [long, short] = [met("tolerance = 1e-7"), met("tolerance = 1e-11")];

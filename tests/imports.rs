@@ -8,7 +8,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use crate::support::sources;
 
-/// Imports between modules: for each path of a module those that it names.
+/// The imports between modules: for each path of a module the paths that it names.
 type Imports = BTreeMap<Vec<String>, BTreeSet<Vec<String>>>;
 
 fn path(file: &str) -> Vec<String> {
@@ -16,14 +16,14 @@ fn path(file: &str) -> Vec<String> {
     path.split('/').filter(|name| !matches!(*name, "mod" | "lib")).map(str::to_owned).collect()
 }
 
-/// A module's text without its tests and comments.
+/// Returns the text of a module without its tests and comments.
 fn code(text: &str) -> String {
     let text = text.split("#[cfg(test)]\nmod tests {").next().unwrap_or_default();
     let lines = text.lines().map(|line| line.split("//").next().unwrap_or_default());
     lines.collect::<Vec<_>>().join("\n")
 }
 
-/// The paths of a tree such as `a::{b, c::{d, e}}`.
+/// Returns the paths of a tree such as `a::{b, c::{d, e}}`.
 fn leaves(tree: &str) -> Vec<String> {
     let tree = tree.trim();
     let Some((front, inside)) = tree.split_once('{') else {
@@ -41,7 +41,7 @@ fn leaves(tree: &str) -> Vec<String> {
     found.iter().map(|leaf| format!("{front}{leaf}")).collect()
 }
 
-/// Every path that a module's code names: in its imports, and where it stands.
+/// Returns every path that the code of a module names, in imports and elsewhere.
 fn named(code: &str) -> Vec<String> {
     let uses = code.split("use ").skip(1).flat_map(|rest| leaves(rest.split(';').next().unwrap_or_default()));
     let is_path = |c: char| c.is_alphanumeric() || matches!(c, '_' | ':');
@@ -49,7 +49,7 @@ fn named(code: &str) -> Vec<String> {
     uses.chain(words.map(str::to_owned)).collect()
 }
 
-/// The names that folders hand on, and the modules that have them.
+/// Returns the names that folders re-export, and the modules that define them.
 fn handed_on(all: &[(Vec<String>, String)]) -> BTreeMap<Vec<String>, Vec<String>> {
     let mut found = BTreeMap::new();
     for (folder, code) in all {
@@ -100,7 +100,7 @@ fn imports() -> Imports {
     imports
 }
 
-/// The modules of `src`, in the order in which CONTRIBUTING.md lets them import.
+/// Returns the modules of `src` in the order of imports that CONTRIBUTING.md allows.
 fn order() -> Vec<String> {
     let text = std::fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/CONTRIBUTING.md")).unwrap();
     let table = text.lines().skip_while(|line| *line != "| module | contents |").skip(2);
@@ -108,13 +108,13 @@ fn order() -> Vec<String> {
     rows.map(|row| row.split('`').nth(1).unwrap().to_owned()).collect()
 }
 
-/// A module imports from those before it in CONTRIBUTING.md's table, which names all; and none before `gpu` knows of wgpu.
+/// A module imports from modules before it in CONTRIBUTING.md's table, which lists all modules, and no module before `gpu` uses wgpu.
 #[test]
 fn imports_run_one_way() {
     let order = order();
     let rank = |path: &[String]| order.iter().position(|name| path.first().is_some_and(|first| first == name));
     let imports = imports();
-    assert!(imports.len() > 50, "imports are not found as they are written today");
+    assert!(imports.len() > 50, "the search does not find imports in their present form");
     for (own, named) in &imports {
         for other in named {
             let runs_back = rank(own).zip(rank(other)).is_some_and(|(own, other)| other > own);
@@ -128,11 +128,11 @@ fn imports_run_one_way() {
     assert_eq!(modules, named, "modules of src, and of the table in CONTRIBUTING.md");
     for (file, text) in &files {
         let is_before = rank(&path(file)) < rank(&["gpu".to_owned()]);
-        assert!(!(is_before && code(text).contains("wgpu::")), "{file} knows wgpu");
+        assert!(!(is_before && code(text).contains("wgpu::")), "{file} uses wgpu");
     }
 }
 
-/// No two modules of a folder need each other, by however many others.
+/// No two modules of a folder need each other, even indirectly.
 #[test]
 fn no_folder_has_circles() {
     let mut edges: BTreeMap<(Vec<String>, String), BTreeSet<String>> = BTreeMap::new();

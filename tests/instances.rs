@@ -17,7 +17,7 @@ const LAWS: [&str; 2] = [
     "[law]\nkind = \"sources\"\nsources = [{ position = [0, 0, 0], strength = 3 }]\n[rays]\nmethod = \"rk4\"\nscaled_step = 0.5\narc_tolerance = 1e-3\n",
 ];
 
-/// A bumpy ball of so many rings.
+/// Returns a bumpy ball with this number of rings.
 fn ball(rings: u32) -> String {
     let mut obj = String::new();
     let turns = 2 * rings;
@@ -38,7 +38,7 @@ fn ball(rings: u32) -> String {
     obj
 }
 
-/// So many places of it, turned and stretched, a mesh of its own shown once, and spheres.
+/// Returns `count` rotated and stretched instances of the ball, a different mesh, and spheres.
 fn places(random: &mut Random, count: usize) -> String {
     let mut text = String::from(
         "[materials.m]\nkind = \"emissive\"\ncolor = [1, 1, 1]\n\
@@ -84,7 +84,7 @@ fn rays(random: &mut Random, count: usize) -> Vec<[f64; 6]> {
     (0..count).map(|_| ray(random)).collect()
 }
 
-/// Against the grid, for which every place is a copy. What rays meet at a grazing angle or at an edge may differ by rounding.
+/// Compares instances with the grid, which copies every mesh. Hits at grazing angles and at edges may differ by rounding.
 #[test]
 fn a_mesh_that_is_kept_once_is_met_where_its_copies_are() {
     let mut random = Random::new(31);
@@ -111,15 +111,15 @@ fn a_mesh_that_is_kept_once_is_met_where_its_copies_are() {
     }
 }
 
-/// Loose triangles in a heap, many times in one place: a ray walks through far more nodes than a pass has iterations for, and meets
-/// what lies behind them all.
+/// A heap of separate triangles with many instances in one position: a ray visits far more nodes than a pass has iterations, and hits an
+/// object behind them all.
 #[test]
 fn long_walks_through_meshes_that_are_kept_once_go_on() {
     let mut random = Random::new(32);
     let folder = tempfile::tempdir().unwrap();
     let mut obj = String::new();
     for _ in 0..6000 {
-        // The boxes of all hold the middle, and no triangle does.
+        // All boxes contain the center, and no triangle does.
         let [x, z] = [random.within(1.0, 2.0), random.within(-1.0, 1.0)];
         writeln!(obj, "v {x} -0.8 {z}\nv -0.8 {x} {z}\nv {x} {x} {z}\nf -3 -2 -1").unwrap();
     }
@@ -158,8 +158,8 @@ fn long_walks_through_meshes_that_are_kept_once_go_on() {
     }
 }
 
-/// Rays side by side that walk through different nodes, each waiting for the others' loops, are not cut short by what these use up of
-/// the limit that all have together: needles, of which few are met and many are near.
+/// Neighboring rays that traverse different nodes wait for each other's loops, and this does not use up their common limit of iterations.
+/// The objects are needles, of which many are near a ray and few are hit.
 #[test]
 fn walks_side_by_side_count_together() {
     let mut random = Random::new(1);

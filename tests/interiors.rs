@@ -1,5 +1,5 @@
-//! Objects that light goes through, and mirrors: every schedule the same, meshes as the shapes they are, and the rays for which formulas
-//! have their limits.
+//! Transparent objects and mirrors: all schedules agree, meshes agree with the equivalent shapes, and rays are correct in the limiting
+//! cases of formulas.
 
 use bentray::gpu::Geometry;
 use bentray::program::{BindingKind, Layer, Mode, Program, ProgramOptions, RaySkipping, Schedule};
@@ -45,10 +45,10 @@ fn all_schedules_give_the_same_picture() {
                 "shape = \"cylinder\"\ncenter = [3, 0, 0]\nradius = 0.7\ninterior = { kind = \"rod\", n0 = 1.5, g = 0.5 }",
             ],
         ),
-        // Enough rounds for longer passes, and for several batches of them.
+        // These splits need enough rounds for longer passes, and for several batches of them.
         room("max_splits = 8\n", &[GLASS, "shape = \"sphere\"\nradius = 0.6\ninterior = 1"]),
     ];
-    // With few segments some rays are given up on a surface, and stay on the side that they came from.
+    // With few segments some rays end on a surface, and stay on the side that they came from.
     for (text, segments) in scenes.iter().flat_map(|text| [(text, 60), (text, 3)]) {
         let mut scene = scene(text);
         scene.rays.max_segments = segments;
@@ -99,8 +99,8 @@ fn a_closed_mesh_of_glass_is_what_its_shape_is() {
     }
 }
 
-/// A mesh that is wound inward, and one of two parts that overlap, is met as the boxes are that it is made of: by single rays, in
-/// pictures, from inside and by light whose shadow it is in.
+/// A mesh with inward winding, and one of two overlapping parts, agree with the boxes that they consist of: for single rays, in images,
+/// from inside, and in shadows.
 #[test]
 fn meshes_are_solid_however_their_files_wind_them() {
     let folder = tempfile::tempdir().unwrap();
@@ -109,7 +109,7 @@ fn meshes_are_solid_however_their_files_wind_them() {
         _ => format!("{line}\n"),
     });
     std::fs::write(folder.path().join("inward.obj"), inward.collect::<String>()).unwrap();
-    // Two boxes that overlap by half; four faces of each lie in one plane with the other's.
+    // Two boxes that overlap by half; four faces of each are coplanar with faces of the other.
     let shifted = |by: f64| {
         CUBE.lines().map(move |line| match line.split(' ').collect::<Vec<_>>()[..] {
             ["v", x, y, z] => format!("v {} {y} {z}\n", x.parse::<f64>().unwrap() + by),
@@ -140,7 +140,7 @@ fn meshes_are_solid_however_their_files_wind_them() {
         let apart = |a: [f64; 3], b: [f64; 3]| DVec3::from(a).distance(b.into());
         for (found, expected) in ends(&mesh).into_iter().zip(ends(&cuboid)) {
             assert_eq!(found.status, expected.status, "{file}");
-            // A few roundings at 20 units from the middle.
+            // A few rounding errors at 20 units from the center.
             assert!(apart(found.x, expected.x) < 2e-5 && apart(found.v, expected.v) < 2e-6, "{file}: {found:?}");
         }
         let light = "[[lights]]\nkind = \"point\"\nposition = [0.5, 6, 1]\nshadows = \"straight-rays\"\n\
@@ -159,7 +159,7 @@ fn meshes_are_solid_however_their_files_wind_them() {
     }
 }
 
-/// One branch a sample has the right mean: with so many samples its noise is a few thousandths.
+/// The mean with one random branch per sample is correct: the noise of this number of samples is a few thousandths.
 #[test]
 fn random_branches_have_the_mean_of_all() {
     let mean = |rays: &str, samples: u32| {
@@ -179,7 +179,7 @@ fn traced(text: &str, rays: &[[f64; 6]]) -> Vec<Traced> {
     trace(&gpu(), &scene(text), &RenderSettings::default(), rays).unwrap().0
 }
 
-/// The closed form finds the first of a spiral's meetings with a ball: the same as many small steps in 64 bits.
+/// The closed form finds the first intersection of a spiral with a ball, like many small steps in 64 bits.
 #[test]
 fn spirals_meet_what_is_in_their_way() {
     let text = |rays: &str| {
@@ -196,7 +196,7 @@ fn spirals_meet_what_is_in_their_way() {
         DVec3::new((1.0 - y * y).sqrt() * cos, y, (1.0 - y * y).sqrt() * sin)
     };
     let start = DVec3::new(1.1, 0.2, 0.7);
-    // Tighter spirals are for the closed form alone.
+    // Only the closed form can follow tighter spirals.
     let open = |d: &DVec3| d.dot(start.normalize()).abs() > 0.06;
     let rays: Vec<[f64; 6]> =
         (0..300).map(golden).filter(open).map(|d| [start.x, start.y, start.z, d.x, d.y, d.z]).collect();
@@ -204,7 +204,7 @@ fn spirals_meet_what_is_in_their_way() {
     let stepped = traced(&text("method = \"dormand-prince\"\ntolerance = 1e-9\nprecision = \"f64\""), &rays);
     let mut met = 0;
     for ((ray, a), b) in rays.iter().zip(&closed).zip(&stepped) {
-        // What winds into the center by steps never gets there.
+        // A ray that winds into the center in steps never reaches it.
         let b_status = if b.status == Status::Exhausted { Status::Captured } else { b.status };
         assert_eq!((a.status, a.object), (b_status, b.object), "{ray:?}");
         met += u32::from(a.status == Status::Hit);
@@ -215,14 +215,15 @@ fn spirals_meet_what_is_in_their_way() {
     assert!(met > 15, "{met}");
 }
 
-/// Rays in the limits of the formulas: through the exact center, along the axis, tangent, from the surface itself.
+/// Checks limiting cases of the formulas: rays through the exact center, along the axis, tangent, and from the surface itself.
 #[test]
 fn rays_in_their_limits() {
     let lens = |medium: &str| {
         format!("[rays]\nbounding_sphere = {{ radius = 5 }}\n[[objects]]\nshape = \"sphere\"\ninterior = {medium}\n")
     };
     let along_x = [[-4.0, 0.0, 0.0, 1.0, 0.0, 0.0]];
-    // With how far from the axis a ray touches the sphere, or just misses it where the index jumps: there one that is met is turned.
+    // Each medium has the distance from the axis at which a ray touches the sphere, or just misses it if the index jumps, because a hit
+    // would then bend the ray.
     for (medium, touching) in [
         ("1.5", 1.00001),
         ("{ kind = \"luneburg\", c = 2 }", 1.0),
@@ -234,11 +235,11 @@ fn rays_in_their_limits() {
         let centre = traced(&text, &along_x)[0];
         assert_eq!(centre.status, Status::Escaped, "{medium}");
         assert!(DVec3::from(centre.x).distance(DVec3::X * 5.0) < 2e-6, "{medium}: {:?}", centre.x);
-        // What touches it goes on as it was, whether it is met or missed.
+        // A tangent ray continues unchanged, whether it hits or misses.
         let tangent = traced(&text, &[[-4.0, touching, 0.0, 1.0, 0.0, 0.0]])[0];
         let d = DVec3::from(tangent.v).normalize();
         assert!(tangent.status == Status::Escaped && d.distance(DVec3::X) < 5e-3, "{medium}: {d}");
-        // From the surface inwards through it, from the surface outwards straight away.
+        // One ray from the surface inward through the sphere, and one from the surface straight outward.
         let [inwards, outwards] = [1.0, -1.0].map(|side| traced(&text, &[[-1.0, 0.0, 0.0, side, 0.0, 0.0]])[0]);
         assert!(DVec3::from(inwards.x).distance(DVec3::X * 5.0) < 2e-6, "{medium}: {:?}", inwards.x);
         assert!(DVec3::from(outwards.x).distance(DVec3::NEG_X * 5.0) < 2e-6, "{medium}: {:?}", outwards.x);
@@ -248,7 +249,7 @@ fn rays_in_their_limits() {
                interior = { kind = \"rod\", n0 = 1.6, g = 0.3 }\n";
     let end = traced(rod, &[[-15.0, 0.0, 0.0, 1.0, 0.0, 0.0]])[0];
     assert!(DVec3::from(end.x).distance(DVec3::X * 20.0) < 1e-5, "{:?}", end.x);
-    // Past the critical angle nothing leaves: from inside glass a steep ray is turned back at the first face it meets.
+    // Beyond the critical angle no light leaves: inside glass a steep ray is reflected at the first face that it hits.
     let slab =
         "[rays]\nbounding_sphere = { radius = 5 }\n[[objects]]\nshape = \"box\"\nsize = [8, 1, 1]\ninterior = 1.5\n";
     let total = traced(slab, &[[0.0, 0.0, 0.0, 1.0, 0.4, 0.0]])[0];

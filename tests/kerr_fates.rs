@@ -13,8 +13,8 @@ use crate::shaders::Random;
 use crate::spacetimes::typed;
 use crate::support::{gpu, scene};
 
-/// Rays on either side of the edge of a shadow, 2e-3 rad from it, with nothing near the hole: what is taken in at the orbit of light
-/// is what never comes back.
+/// Rays on either side of the edge of a shadow, 2e-3 rad from it and with no object near the black hole: light that reaches the spherical
+/// photon orbit from outside is captured.
 #[test]
 fn shadows_end_where_spherical_orbits_of_light_say() {
     let rows = rows(include_str!("tables/kerr_shadows.tsv"));
@@ -44,8 +44,8 @@ fn shadows_end_where_spherical_orbits_of_light_say() {
     }
 }
 
-/// The light that a far camera at this inclination would see at the height β and α to the side, traced from 30 M on. Light comes in along
-/// that with L/E = ξ = −α sin i and Carter's Q/E² = η, to which it is aimed by Newton's method.
+/// Returns the ray that a distant camera at this inclination would see at the height β and α to the side, traced from 30 M. The light has
+/// L/E = ξ = −α sin i and Carter's Q/E² = η, which Newton's method solves for.
 fn light_seen_at(hole: &KerrNewman, inclination: f64, [alpha, beta]: [f64; 2]) -> [f64; 6] {
     let (sin, cos) = inclination.to_radians().sin_cos();
     let (side, up) = (DVec3::Y, DVec3::new(-cos, 0.0, sin));
@@ -64,7 +64,7 @@ fn light_seen_at(hole: &KerrNewman, inclination: f64, [alpha, beta]: [f64; 2]) -
             off(there).iter().zip(here).map(|(there, here)| (there - here) / step).collect::<Vec<_>>()
         };
         let (first, second) = (by([p[0] + step, p[1]]), by([p[0], p[1] + step]));
-        // In the equator's plane nothing depends on a small height.
+        // In the equatorial plane nothing depends on a small height.
         if beta == 0.0 {
             p[0] -= here[0] / first[0];
         } else {
@@ -82,7 +82,7 @@ fn light_seen_at(hole: &KerrNewman, inclination: f64, [alpha, beta]: [f64; 2]) -
     [x.x, x.y, x.z, v.x, v.y, v.z]
 }
 
-/// Critical curves as they are seen from infinity: 10⁻⁴ M further in is dark, and as much further out is sky.
+/// Critical curves as seen from infinity: a ray 10⁻⁴ M further in is captured, and one 10⁻⁴ M further out escapes.
 #[test]
 fn critical_curves_are_where_closed_forms_say() {
     let gpu = gpu();
@@ -93,7 +93,7 @@ fn critical_curves_are_where_closed_forms_say() {
         let hole = KerrNewman { mass: 1.0, spin, axis: DVec3::Z, charge, center: DVec3::ZERO };
         let inclination: f64 = row[2].parse().unwrap();
         let points = row[3].split("; ").map(|point| point.split(' ').map(|n| n.parse().unwrap()).collect::<Vec<f64>>());
-        // The ends of a curve off the equator turn at the pole of their sphere: its other points stand for them.
+        // The end points of a curve off the equator turn at the pole of their sphere; the other points represent them.
         let points: Vec<_> = points.filter(|point| inclination > 89.0 || point[1] > 0.0).collect();
         let middle = 0.5 * (points[0][0] + points.last().unwrap()[0]);
         let rays = points.iter().flat_map(|point| {
@@ -119,9 +119,9 @@ fn critical_curves_are_where_closed_forms_say() {
     }
 }
 
-/// What becomes of light by its radial potential R = (r² + a² − aξ)² − Δ(η + (ξ−a)²): what moves inwards falls in if R has no root on
-/// its way, what moves outwards escapes if it has none there, and what has no energy left comes from the hole. None within 10⁻⁴ of the
-/// critical curve, which is some 5 M wide: R over twice its slope by ξ and √η says how far off that is.
+/// Returns the status of light by its radial potential R = (r² + a² − aξ)² − Δ(η + (ξ−a)²). Inward light is captured if R has no root on
+/// its path, outward light escapes if R has none there, and light without positive energy comes from the black hole. Returns `None` within
+/// 10⁻⁴ of the critical curve, which is about 5 M wide: R over twice its slope by ξ and √η is the distance from it.
 pub fn fate(hole: &KerrNewman, x: DVec3, v: DVec3) -> Option<Status> {
     let (kept, here) = (hole.invariants(x, v), hole.at(x).r);
     let [_, momentum, carter] = kept[..] else { return Some(Status::Captured) };
@@ -151,7 +151,7 @@ pub fn fate(hole: &KerrNewman, x: DVec3, v: DVec3) -> Option<Status> {
     (least.abs() > 5e-4 * hole.mass).then_some(if least > 0.0 { through } else { back })
 }
 
-/// The velocity of the light that a camera sees from a direction of the scene.
+/// Returns the velocity of the light that a camera sees from a direction of the scene.
 fn seen_light(law: &dyn Law, camera: &Camera, d: DVec3) -> DVec3 {
     let fed = observer(law, camera).unwrap();
     let column = |name: &str| match fed.iter().find(|(member, _)| member == name) {
@@ -162,7 +162,7 @@ fn seen_light(law: &dyn Law, camera: &Camera, d: DVec3) -> DVec3 {
     light.truncate() / -light.w
 }
 
-/// In an ergosphere some of the light that is seen has no energy left far away: it can only come from the horizon.
+/// In an ergosphere some of the visible light would have negative energy far away, and can only come from the horizon.
 #[test]
 fn light_without_energy_comes_from_the_horizon() {
     let rows = rows(include_str!("tables/kerr_ergosphere.tsv"));
@@ -186,8 +186,8 @@ fn light_without_energy_comes_from_the_horizon() {
     }
 }
 
-/// Does light from below r₊, or none, come along this inward ray? The least value of its radial potential R = (r² + a² − aξ)² − Δχ between
-/// it and the horizon is above 0: where that is 0 a spherical orbit of light is, and the closed curve of the shadow.
+/// Returns `true` if no light, or light from below r₊, arrives along this inward ray. The least value of its radial potential R = (r² + a²
+/// − aξ)² − Δχ between it and the horizon is then positive. It is zero for a spherical photon orbit, on the closed curve of the shadow.
 fn is_dark(hole: &KerrNewman, x: DVec3, v: DVec3) -> bool {
     let (kept, here) = (hole.invariants(x, v), hole.at(x).r);
     let [_, momentum, carter] = kept[..] else { return true };
@@ -206,8 +206,9 @@ fn is_dark(hole: &KerrNewman, x: DVec3, v: DVec3) -> bool {
     potential(least) > 0.0
 }
 
-/// The edges of shadows at 100 points each for seven observers: 10⁻⁵ rad further in is dark, and 10⁻⁵ further out is sky; also where
-/// orbits of light are all but at the horizon. Where the hole spins as fast as it may they are, and the edge is told to 10⁻⁴.
+/// The edges of shadows at 100 points each for seven observers: a ray 10⁻⁵ rad further in is captured, and one 10⁻⁵ rad further out
+/// escapes, also if photon orbits are very close to the horizon. At the greatest spin they are at the horizon, and the edge is known to
+/// 10⁻⁴ rad.
 #[test]
 fn shadows_have_sharp_edges_where_closed_curves_say() {
     let gpu = gpu();
@@ -246,7 +247,7 @@ fn shadows_have_sharp_edges_where_closed_curves_say() {
                 [x.x, x.y, x.z, v.x, v.y, v.z]
             }));
         }
-        // Near the greatest spin light stays about the horizon for so long that general methods take 64 bits.
+        // Near the greatest spin light stays near the horizon for so long that general methods need 64 bits.
         let general = if spin < 0.9987 {
             "method = \"dormand-prince\"\ntolerance = 1e-7"
         } else {
@@ -256,7 +257,7 @@ fn shadows_have_sharp_edges_where_closed_curves_say() {
             let (ends, _) =
                 trace(&gpu, &scene(&format!("{base}{method}\n")), &RenderSettings::default(), &rays).unwrap();
             for (i, pair) in ends.chunks(2).enumerate() {
-                // At the greatest spin light may stay about the horizon longer than it is followed.
+                // At the greatest spin light may stay near the horizon beyond the limit of segments.
                 let is_right = |found: Status, told: Status| found == told || spin >= 1.0 && found == Status::Exhausted;
                 let [dark, bright] = [pair[0].status, pair[1].status];
                 let right = is_right(dark, Status::Captured) && is_right(bright, Status::Escaped);
@@ -273,7 +274,7 @@ fn every_fate_is_right_round_spinning_holes() {
     for (spin, charge) in [(0.0, 0.0), (0.5, 0.0), (0.9, 0.0), (0.998, 0.0), (1.0, 0.0), (0.6, 0.6)] {
         let hole = KerrNewman { mass: 1.0, spin, axis: DVec3::Z, charge, center: DVec3::ZERO };
         let horizon = hole.horizon().unwrap();
-        // Just above the horizon light takes for ever; below it, it leaves or has come from below.
+        // Just above the horizon light takes forever; below it, light escapes or has come from below.
         let far = horizon + 0.05;
         let near = hole.inner_horizon().unwrap() + 0.1..horizon - 0.05;
         let (mut rays, mut fates) = (Vec::new(), Vec::new());
@@ -297,7 +298,7 @@ fn every_fate_is_right_round_spinning_holes() {
                  max_segments = 20000\nmethod = \"{method}\"\n"
             ));
             let (ends, _) = trace(&gpu, &scene, &RenderSettings::default(), &rays).unwrap();
-            // At the greatest spin light near ξ = 2 stays about the horizon for thousands of M, and general methods in 32 bits lose it.
+            // At the greatest spin light near ξ = 2 stays near the horizon for thousands of M, and general methods in 32 bits lose it.
             let is_told = |ray: &[f64; 6]| {
                 let [x, v] = [0, 3].map(|i| DVec3::from_slice(&ray[i..]));
                 let kept = hole.invariants(x, hole.starting_velocity(x, v));

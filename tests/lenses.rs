@@ -11,17 +11,17 @@ use glam::DVec3;
 use crate::support::lens::{Fate, Lens, lens_scene, lenses};
 use crate::support::{gpu, scene};
 
-/// What every scene of this page has in [rays] besides its bound.
+/// The keys that every scene here has in [rays] in addition to its bounding sphere.
 const EXACT: &str = "";
 const EXACT_IN_64_BITS: &str = "precision = \"f64\"";
 const STEPPED: &str = "method = \"dormand-prince\"\ntolerance = 1e-6\nmax_segments = 4000";
 
-/// Has the row's medium no closed form?
+/// Returns `true` if the medium of the row has no closed form.
 fn needs_steps(lens: &Lens) -> bool {
     lens.object.contains("gaussian")
 }
 
-/// Each row's ray, followed; rows of the same object share a program.
+/// Returns the traced ray of each row; rows of one object share a program.
 fn traced<'l>(lenses: &[&'l Lens], rays: &str) -> Vec<(&'l Lens, Traced)> {
     let mut groups: BTreeMap<String, Vec<&Lens>> = BTreeMap::new();
     for lens in lenses {
@@ -41,8 +41,8 @@ fn traced<'l>(lenses: &[&'l Lens], rays: &str) -> Vec<(&'l Lens, Traced)> {
     ends
 }
 
-/// Rays that leave their object do so where the table says: within `floor` (of the bound's radius, and in direction), or 40
-/// times what one rounding does, `roundings` being how many of those there are.
+/// Checks that rays leave their object as in the table: within `floor` (of the radius of the bounding sphere, and in direction) plus
+/// `roundings` times the effect of one rounding.
 fn hold(lenses: &[&Lens], rays: &str, floor: f64, roundings: f64) {
     for (lens, end) in traced(lenses, rays) {
         let (x, d) = lens.end().expect("a ray that leaves");
@@ -63,7 +63,7 @@ fn lens_scenes_load() {
         for rays in [EXACT, EXACT_IN_64_BITS, STEPPED] {
             let scene = scene(&lens_scene(&lens, rays));
             assert!(scene.objects[0].interior().is_some(), "{}", lens.name);
-            // The ray starts inside the bound, and ends on it.
+            // The ray starts inside the bounding sphere, and ends on it.
             assert!(
                 lens.origin.distance(scene.rays.bounding_sphere.center) < scene.rays.bounding_sphere.radius,
                 "{}",
@@ -89,20 +89,20 @@ fn closed_forms_lead_through_lenses() {
 fn closed_forms_in_64_bits_lead_through_lenses() {
     let lenses = lenses();
     let leaving: Vec<&Lens> = lenses.iter().filter(|lens| lens.fate == Fate::Exit && !needs_steps(lens)).collect();
-    // Their input is not rounded.
+    // In 64 bits the input is not rounded.
     hold(&leaving, EXACT_IN_64_BITS, 1e-9, 0.0);
 }
 
 #[test]
 fn steps_lead_through_lenses() {
     let lenses = lenses();
-    // Steps cannot follow a tight spiral in 32 bits: there is a closed form for that.
+    // Steps cannot follow a tight spiral in 32 bits, which has a closed form.
     let followed = |lens: &&Lens| lens.fate == Fate::Exit && !lens.object.contains("inverse-r");
     let leaving: Vec<&Lens> = lenses.iter().filter(followed).collect();
     hold(&leaving, STEPPED, 2e-5, 40.0);
 }
 
-/// Rays that wind into the center of an inverse-r sphere are captured there, those too that its surface has turned back.
+/// Rays that wind into the center of an inverse-r sphere are captured there, including rays that its surface has reflected.
 #[test]
 fn spirals_into_a_centre_are_captured() {
     let lenses = lenses();
@@ -117,7 +117,7 @@ fn spirals_into_a_centre_are_captured() {
     }
 }
 
-/// Parallel rays through Luneburg's lens with C = 2 meet in the point of its surface that lies furthest along them.
+/// Parallel rays through a Luneburg lens with C = 2 meet at the point of its surface that is furthest along them.
 #[test]
 fn a_luneburg_lens_has_one_focus() {
     let (center, radius) = (DVec3::new(0.5, -0.25, 1.0), 2.0);
@@ -125,7 +125,7 @@ fn a_luneburg_lens_has_one_focus() {
     let (across, up) = d.any_orthonormal_pair();
     let text = "[rays]\nbounding_sphere = { center = [0.5, -0.25, 1.0], radius = 4 }\n[[objects]]\nshape = \"sphere\"\n\
         center = [0.5, -0.25, 1.0]\nradius = 2\ninterior = { kind = \"luneburg\", c = 2 }\n";
-    // As seeds of a sunflower stand: evenly, and none at the same angle.
+    // The pattern of sunflower seeds: evenly distributed, and none at the same angle.
     let ray = |i: i32| {
         let (r, angle) = (radius * (0.998 * (f64::from(i) + 0.5) / 1000.0).sqrt(), 2.399_963 * f64::from(i));
         let x = center - 3.0 * d + r * (angle.cos() * across + angle.sin() * up);
@@ -142,7 +142,7 @@ fn a_luneburg_lens_has_one_focus() {
     }
 }
 
-/// A path that is drawn is cut into arcs where the ray leaps: it ends in the ray's own direction all the same, after up to fifteen turns.
+/// If a path is drawn, a ray that leaps is cut into arcs, but it ends in the correct direction after up to fifteen turns.
 #[test]
 fn a_drawn_spiral_ends_where_its_leap_does() {
     let gpu = gpu();
@@ -169,6 +169,6 @@ fn a_drawn_spiral_ends_where_its_leap_does() {
         worst = worst.max(DVec3::from(end.v).angle_between(DVec3::from(drawn)));
     }
     println!("off by {worst:e} rad at most");
-    // The leap's own roundings: a ray turns by ln(R/r)/climb, of which that of climb, of 6e-8, is a part of up to 1e-6.
+    // The rounding errors of the leap: a ray turns by ln(R/r)/climb, and the rounding of climb by 6e-8 is a relative error of up to 1e-6.
     assert!(worst < 3e-4, "{worst:e}");
 }

@@ -21,7 +21,7 @@ fn lamp(rest: &str) -> String {
     )
 }
 
-/// Places between the walls, none of them near a wall or the lamp.
+/// Returns positions between the walls, none of them near a wall or the light.
 fn places() -> impl Iterator<Item = DVec3> {
     let at = |i: u32, n: u32| f64::from(i * n % 61) / 61.0;
     let all = (1..400).map(move |i| {
@@ -30,7 +30,7 @@ fn places() -> impl Iterator<Item = DVec3> {
     all.filter(|x| x.distance(DVec3::new(0.3, 0.2, -0.4)) > 0.8)
 }
 
-/// Straight light: 1/r², from the lamp. And light from far away is as bright everywhere.
+/// Straight light: 1/r² from the point light, and constant brightness from the distant light.
 #[test]
 fn straight_light_falls_off_with_the_square_of_the_distance() {
     let sun = "[[lights]]\nkind = \"directional\"\ndirection = [1, 0, 0.5]\nshadows = \"photon-grid\"\nvoxels = 32\n";
@@ -47,14 +47,14 @@ fn straight_light_falls_off_with_the_square_of_the_distance() {
         assert!(sun.truncate().as_dvec3().angle_between(DVec3::new(1.0, 0.0, 0.5)) < 1e-3, "{x}: {sun}");
         count += 1.0;
     }
-    // A voxel is h wide, and the light's direction turns by h/r in it.
+    // A voxel is h wide, and the direction of the light turns by h/r inside it.
     let h = found[0].0.volume.h;
     assert!(turned < h / 0.8, "{turned}");
     assert!((off / count).sqrt() < 0.05, "{}", (off / count).sqrt());
     assert!(found.iter().all(|(_, report)| report.totals.unfollowed() == 0 && report.totals.lost == 0));
 }
 
-/// A lamp in the middle of a glass ball: what the ball reflects comes out another time.
+/// For a point light in a glass ball, the light that the ball reflects leaves it later.
 #[test]
 fn glass_about_a_lamp_keeps_its_light() {
     let ball = "[[objects]]\nshape = \"sphere\"\ncenter = [0.3, 0.2, -0.4]\nradius = 0.5\ninterior = 1.5\n";
@@ -66,7 +66,7 @@ fn glass_about_a_lamp_keeps_its_light() {
     assert!((all - 1.0).abs() < 0.02, "{all}");
 }
 
-/// About a center: as shooting has it, and twice as near with half the voxels' size.
+/// Around a center the grid agrees with the shooting method, twice as closely with half the voxel size.
 #[test]
 fn grids_approach_what_shooting_finds() {
     let law = "[law]\nkind = \"sources\"\n[[law.sources]]\nposition = [1, -0.5, 0.6]\nstrength = 0.4\n";
@@ -99,7 +99,7 @@ fn grids_approach_what_shooting_finds() {
 const ROOM: &str = "[image]\nsize = [48, 36]\n[camera]\nposition = [0, 0.3, 6]\nfov = 60\n\
      [[objects]]\nshape = \"sphere\"\nmaterial = \"wall\"\ncenter = [0.2, -1, 0.3]\nradius = 0.5\n";
 
-/// In straight light a grid's shadows are those of straight lines, but for a voxel at their edges.
+/// In straight light the shadows of a grid are those of straight lines, except for a voxel at their edges.
 #[test]
 fn shadows_lie_where_straight_ones_do() {
     let picture = |shadows: &str| {
@@ -119,7 +119,7 @@ fn shadows_lie_where_straight_ones_do() {
     assert!(dark > 30 && 100 * agree >= 98 * all, "{agree} of {all}, of them {dark} in shadow");
 }
 
-/// Neither schedules nor masks nor tiles show.
+/// The image does not depend on schedules, masks and tiles.
 #[test]
 fn pictures_do_not_depend_on_the_schedule() {
     let law = "[law]\nkind = \"sources\"\n[[law.sources]]\nposition = [1, -0.5, 0.6]\nstrength = 0.4\n";
@@ -143,7 +143,7 @@ fn pictures_do_not_depend_on_the_schedule() {
     }
 }
 
-/// A grid that is more than the memory is refused with both numbers; one whose parts are takes fewer of them, and says so.
+/// A grid that exceeds the memory is rejected with both numbers; if only its parts do, it takes fewer of them and reports that.
 #[test]
 fn memory_is_kept_to() {
     let room = scene(&format!("{ROOM}[rays]\nbounding_sphere = {{ radius = 9 }}\n{WALLS}{}", lamp("voxels = 48")));
@@ -155,7 +155,7 @@ fn memory_is_kept_to() {
     assert!(report.to_string().contains("limited by memory"), "{report}");
 }
 
-/// A frame in which nothing moves that light meets takes the grid of the one before.
+/// If nothing that light meets moves, a frame reuses the grid of the previous frame.
 #[test]
 fn grids_are_kept_while_the_light_stays() {
     let text = format!("{ROOM}[rays]\nbounding_sphere = {{ radius = 9 }}\n{WALLS}{}", lamp("voxels = 16"));
@@ -168,7 +168,7 @@ fn grids_are_kept_while_the_light_stays() {
         renderer.set_scene(next.clone()).unwrap();
         let mut fresh = Renderer::new(&gpu, &next, RenderSettings::default()).unwrap();
         assert!(renderer.render().unwrap().band == fresh.render().unwrap().band);
-        // The times that they took are never the same.
+        // The times that they took always differ.
         assert_eq!(renderer.light_reports().into_iter().eq(&before), keeps, "{change:?}");
     }
 }

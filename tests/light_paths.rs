@@ -1,4 +1,4 @@
-//! Shooting against closed forms, against straight shadows, and one way of it against the other.
+//! The shooting method against closed forms, against straight shadows, and its two variants against each other.
 
 use std::f64::consts::TAU;
 use std::fmt::Write as _;
@@ -18,7 +18,7 @@ fn apart(path: &LightPath, leaves: DVec3) -> f64 {
     DVec3::from(path.leaves).distance(leaves)
 }
 
-/// All images of a light, in 32 bits: directions to 1e-5, and the spread of the bundle to 1e-3.
+/// Checks all images of a light in 32 bits: directions to 1e-5, and the spread of the ray bundle to 1e-3.
 #[test]
 fn paths_are_where_closed_forms_say() {
     let gpu = gpu();
@@ -47,7 +47,7 @@ fn paths_are_where_closed_forms_say() {
 const CENTRE: &str = "[[law.sources]]\nposition = [0, 2, 0]\nstrength = 0.6\ncapture_radius = 0.1\n";
 const HARDLY: &str = "[[law.sources]]\nposition = [0, -30, 0]\nstrength = 1e-9\n";
 
-/// A wall behind a center, a ball before it.
+/// A scene with a wall behind a center and a ball in front.
 fn lit(law: &str, shadows: &str, falloff: &str) -> String {
     format!(
         "[image]\nsize = [64, 48]\n[camera]\nposition = [0, 8, 20]\nlook_at = [0, 0, 0]\nfov = 50\n[law]\n{law}\n\
@@ -66,13 +66,13 @@ fn picture(text: &str) -> Vec<f64> {
     rendered.band.color[0].iter().map(|value| f64::from(*value)).collect()
 }
 
-/// The part of the pixels in which two pictures are the same to so much of their brightness.
+/// Returns the fraction of the pixels in which two images agree to a fraction `part` of their brightness.
 fn alike(a: &[f64], b: &[f64], part: f64) -> f64 {
     let same = a.iter().zip(b).filter(|(a, b)| (**a - **b).abs() <= part * (a.abs() + b.abs()) + 1e-5).count();
     same as f64 / a.len() as f64
 }
 
-/// Where light goes straight shooting finds straight shadows, and the inverse square.
+/// In straight light the shooting method finds straight shadows and the inverse square.
 #[test]
 fn straight_light_is_shot_straight() {
     for falloff in ["none", "inverse-square"] {
@@ -83,7 +83,7 @@ fn straight_light_is_shot_straight() {
     }
 }
 
-/// About one center the plane's own search and Newton's method, which a second center of no strength asks for, agree.
+/// Around one center the search in a plane agrees with Newton's method, which is used because of a second center without strength.
 #[test]
 fn both_ways_to_shoot_agree() {
     let law = |sources: &[&str]| {
@@ -101,8 +101,8 @@ fn both_ways_to_shoot_agree() {
     assert!(alike(&one, &straight, 2e-2) < 0.7);
 }
 
-/// Directions at the light and at the place of the logarithmic spiral between two places about the origin where n = k/r: the angle to
-/// the radius is the same all along. By the short way round, or by the other.
+/// Returns the directions at the light and at the position of the logarithmic spiral between two positions around the origin if n = k/r:
+/// the angle to the radius is constant. The spiral takes the short or the long way.
 fn spiral(light: DVec3, place: DVec3, long: bool) -> [DVec3; 2] {
     let (radial, at_place) = (light.normalize(), place.normalize());
     let normal = radial.cross(at_place).normalize() * if long { -1.0 } else { 1.0 };
@@ -112,7 +112,7 @@ fn spiral(light: DVec3, place: DVec3, long: bool) -> [DVec3; 2] {
     [radial, at_place].map(|radial| to_radius.cos() * radial + to_radius.sin() * normal.cross(radial))
 }
 
-/// Paths that `auto` finds are as accurate as is asked for, and the error that it tells is true: in 32 bits, and in 64.
+/// Paths from `auto` have the requested accuracy, and the reported error is correct: in 32 and in 64 bits.
 #[test]
 fn paths_are_as_accurate_as_is_asked_for() {
     let gpu = gpu();
@@ -128,7 +128,7 @@ fn paths_are_as_accurate_as_is_asked_for() {
         assert!(found.chosen.error <= accuracy, "{found}");
         let (paths, _) = renderer.paths_between(&pairs).unwrap();
         for ([place, light], paths) in pairs.iter().zip(&paths) {
-            // Light that goes in at once is swallowed.
+            // Light that starts inward is captured.
             let outward = |[leaves, _]: &[DVec3; 2]| leaves.dot(*light) > 0.0;
             for [leaves, arrives] in
                 [false, true].map(|long| spiral(*light, *place, long)).iter().filter(|s| outward(s))
@@ -141,7 +141,7 @@ fn paths_are_as_accurate_as_is_asked_for() {
     }
 }
 
-/// Where n² grows linearly two parabolas join two places: one leaves for the side where light comes back from.
+/// If n² grows linearly two parabolas join two positions: one starts toward the side from which light returns.
 #[test]
 fn light_that_comes_back_is_found() {
     let (light, place, gradient) = (DVec3::new(0.2, 0.1, 0.0), DVec3::new(1.5, -0.8, 0.6), DVec3::new(0.3, -0.6, 0.1));
@@ -151,7 +151,7 @@ fn light_that_comes_back_is_found() {
          [rays]\nbounding_sphere = { radius = 60 }\nmax_segments = 3000\n",
     );
     let (found, _) = light_paths(&gpu(), &scene, &RenderSettings::default(), &[[place, light]]).unwrap();
-    // |way − pull T²|² = n² T², for the time T of the flight.
+    // |way − pull T²|² = n² T², because T is the time of flight.
     let half = pull.length_squared().recip() * (way.dot(pull) + 0.5 * start);
     let root = (half * half - way.length_squared() / pull.length_squared()).sqrt();
     for square in [half - root, half + root] {

@@ -1,4 +1,4 @@
-//! Light in spacetimes as users write them.
+//! Light in spacetimes whose line elements users write.
 
 use bentray::assets::Transform;
 use bentray::render::{RenderSettings, Status, trace};
@@ -7,7 +7,7 @@ use glam::DVec3;
 use crate::oracle::{rows, traced, vector};
 use crate::support::{gpu, scene};
 
-/// As round holes: line elements as a user writes them, with and without t; in 32 bits turned and elsewhere.
+/// Compares with series around black holes: line elements as a user writes them, with and without t; in 32 bits also rotated and displaced.
 #[test]
 fn rays_by_line_elements_end_where_series_say() {
     let rows = rows(include_str!("tables/line_elements.tsv"));
@@ -49,7 +49,7 @@ fn rays_by_line_elements_end_where_series_say() {
     }
 }
 
-/// Where a line element has no derivative, or no space at one time, a ray fails; it never ends as something else.
+/// If a line element has no derivative, or no space at one time, a ray fails and never ends otherwise.
 #[test]
 fn rays_without_a_line_element_fail() {
     let gpu = gpu();

@@ -1,4 +1,4 @@
-//! Every link of every page leads somewhere, as a viewer of plain Markdown reads it.
+//! Every link on every page has a target, as a viewer of plain Markdown reads it.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
@@ -15,12 +15,12 @@ fn pages(folder: &Path, found: &mut Vec<PathBuf>) {
     }
 }
 
-/// What a page links to, and what can be linked to in it.
+/// The links of a page, and the possible targets in it.
 #[derive(Default)]
 pub struct Links {
     pub targets: Vec<String>,
     anchors: BTreeSet<String>,
-    /// References that no definition is there for: a viewer shows their brackets.
+    /// References without a definition: a viewer shows their brackets.
     undefined: Vec<String>,
 }
 
@@ -58,7 +58,7 @@ pub fn links(text: &str) -> Links {
     found
 }
 
-/// A heading's anchor, as GitHub and rustdoc make it.
+/// Returns the anchor of a heading as GitHub and rustdoc make it.
 fn anchor(heading: &str) -> String {
     let kept = heading.chars().filter(|c| c.is_alphanumeric() || " -_".contains(*c));
     kept.collect::<String>().to_lowercase().replace(' ', "-")

@@ -12,28 +12,28 @@ use super::readers::{LEAST_MIB, Reader};
 #[global_allocator]
 static MEMORY: Cap<System> = Cap::new(System, usize::MAX);
 
-/// Longer than anything here may be read for.
+/// The limit of time for any reader.
 const LONGEST: Duration = Duration::from_secs(1);
 
-/// Reads these bytes. It ends the process where that takes more memory than it may, and panics where it takes too long.
+/// Reads these bytes. Ends the process if the reader exceeds its memory limit, and panics if it exceeds its time limit.
 pub fn within(reader: &Reader, bytes: &[u8]) {
-    // What is said of a panic takes memory too, and is not the reader's.
+    // The message of a panic also takes memory, which does not count for the reader.
     static SAID: Once = Once::new();
     SAID.call_once(|| {
         let say = panic::take_hook();
         panic::set_hook(Box::new(move |panic| {
-            MEMORY.set_limit(usize::MAX).expect("it is above what there is");
+            MEMORY.set_limit(usize::MAX).expect("the limit is above the memory in use");
             say(panic);
         }));
     });
     let most = (LEAST_MIB << 20) + (reader.kib_per_byte << 10) * bytes.len();
     let mut took = Duration::MAX;
-    // Something else may have been busy, but not every time.
+    // Other programs may delay one attempt, but hardly all of them.
     for _ in 0..3 {
         let begun = Instant::now();
-        MEMORY.set_limit(MEMORY.allocated() + most).expect("it is above what there is");
+        MEMORY.set_limit(MEMORY.allocated() + most).expect("the limit is above the memory in use");
         (reader.read)(bytes);
-        MEMORY.set_limit(usize::MAX).expect("it is above what there is");
+        MEMORY.set_limit(usize::MAX).expect("the limit is above the memory in use");
         took = begun.elapsed();
         if took <= LONGEST {
             return;

@@ -1,11 +1,11 @@
-//! Small changes of valid files: cheap, and the same ones every time.
+//! Small changes of valid files: cheap and reproducible.
 
-/// Numbers that are at the edge of something.
+/// Numbers at the limits of types and ranges.
 const NUMBERS: [&str; 8] = ["0", "-1", "1e308", "4294967295", "9223372036854775807", "1e-320", "nan", "65536"];
-/// And as bytes.
+/// Bytes at the limits of types and ranges.
 const WORDS: [u32; 5] = [0, 1, 0x7fff_ffff, u32::MAX, 0x0001_0000];
 
-/// Xorshift, 64 bits.
+/// The xorshift generator with 64 bits.
 pub struct Random(u64);
 
 impl Random {
@@ -16,7 +16,7 @@ impl Random {
         Self(hash | 1)
     }
 
-    /// Below `end`, which is above 0.
+    /// Returns a number below `end`, which is above 0.
     fn below(&mut self, end: usize) -> usize {
         self.0 ^= self.0 << 13;
         self.0 ^= self.0 >> 7;
@@ -25,7 +25,7 @@ impl Random {
     }
 }
 
-/// `bytes` with one to three changes; some are pieces of another file.
+/// Returns `bytes` with one to three changes; some insert pieces of another file.
 pub fn mutated(bytes: &[u8], other: &[u8], random: &mut Random) -> Vec<u8> {
     let mut all = bytes.to_vec();
     for _ in 0..=random.below(3) {
@@ -55,7 +55,7 @@ pub fn mutated(bytes: &[u8], other: &[u8], random: &mut Random) -> Vec<u8> {
     all
 }
 
-/// Puts another number in the place of the first one from `at` on.
+/// Replaces the first number at or after `at` by another.
 fn number(all: &mut Vec<u8>, at: usize, new: &str) {
     let is_part = |byte: &u8| byte.is_ascii_digit() || matches!(byte, b'.' | b'-');
     let Some(start) = all[at..].iter().position(u8::is_ascii_digit).map(|from| at + from) else { return };

@@ -19,27 +19,27 @@ use bentray::scene::{
     Scene, follow_as,
 };
 
-/// One reader: what `corpus` has its files under.
+/// A reader, with a folder of files in `corpus`.
 pub struct Reader {
-    /// The folder's name.
+    /// The name of the folder.
     pub name: &'static str,
-    /// Reads these bytes; panics where they show a fault of the program.
+    /// Reads these bytes, and panics if they reveal an error of the program.
     pub read: fn(&[u8]),
-    /// KiB that it may have at one time for a byte that it reads, beyond [`LEAST_MIB`].
+    /// The allowed memory in KiB per byte of input, in addition to [`LEAST_MIB`].
     pub kib_per_byte: usize,
-    /// Changed files that the tests try; the fuzzer makes its own.
+    /// The number of changed files that the tests try; the fuzzer makes its files itself.
     #[allow(dead_code)]
     pub changes: usize,
 }
 
-/// MiB that every reader may have at one time.
+/// The memory in MiB that every reader may use.
 pub const LEAST_MIB: usize = 64;
 
 const fn reader(name: &'static str, read: fn(&[u8]), kib_per_byte: usize, changes: usize) -> Reader {
     Reader { name, read, kib_per_byte, changes }
 }
 
-/// All of them.
+/// All readers.
 pub const READERS: &[Reader] = &[
     reader("scene", |bytes| _ = scene(&text(bytes), &[]), 1, 1000),
     reader("override", overrides, 1, 500),
@@ -59,7 +59,7 @@ pub const READERS: &[Reader] = &[
     reader("method", method, 1, 1000),
 ];
 
-/// `tests/fuzz`, from either crate that this file is a part of.
+/// Returns `tests/fuzz`, from either crate that includes this file.
 pub fn folder() -> PathBuf {
     let own = Path::new(env!("CARGO_MANIFEST_DIR"));
     if own.ends_with("tests/fuzz") { own.to_owned() } else { own.join("tests/fuzz") }
@@ -69,13 +69,13 @@ fn text(bytes: &[u8]) -> String {
     String::from_utf8_lossy(bytes).into_owned()
 }
 
-/// What was read; what is wrong is put into words, some but not too many.
+/// Returns the value that was read, or checks that the error message has a reasonable length.
 fn shown<T, E: Display>(read: Result<T, E>) -> Option<T> {
     let length = |error: E| error.to_string().len();
     read.map_err(|error| assert!((1..1_000_000).contains(&length(error)))).ok()
 }
 
-/// Calls with the path of a file of these bytes.
+/// Calls a function with the path of a file of these bytes.
 fn with_file(name: &str, bytes: &[u8], read: impl FnOnce(&Path)) {
     thread_local!(static FOLDER: OnceCell<tempfile::TempDir> = const { OnceCell::new() });
     FOLDER.with(|folder| {
@@ -94,7 +94,7 @@ fn scene(text: &str, overrides: &[Override]) -> Option<Scene> {
     Some(scene)
 }
 
-/// What is a scene is a program too.
+/// Checks that a valid scene is also a valid program.
 fn program(bytes: &[u8]) {
     if let Some(scene) = scene(&text(bytes), &[]) {
         linked(&scene).unwrap_or_else(|error| panic!("{error}"));
@@ -106,7 +106,7 @@ fn linked(scene: &Scene) -> Result<Program, ProgramError> {
     Program::new(scene, &geometry.analysis, &ProgramOptions::default(), geometry.extent())
 }
 
-/// A line each, for a scene that has something for each.
+/// Reads one override per line, for a scene that has a key for each.
 fn overrides(bytes: &[u8]) {
     let base = include_str!("../files/scene.toml");
     let text = text(bytes);
@@ -119,7 +119,7 @@ fn method(bytes: &[u8]) {
     scene(include_str!("../files/scene.toml"), &overrides);
 }
 
-/// What is wrong with a formula is at a place of its text.
+/// Checks that the error of a formula has a location in its text.
 fn placed<T>(read: Result<T, FormulaError>, text: &str) -> Option<T> {
     read.map_err(|error| {
         assert!(!error.problem.is_empty());
@@ -128,7 +128,7 @@ fn placed<T>(read: Result<T, FormulaError>, text: &str) -> Option<T> {
     .ok()
 }
 
-/// Lines, as one formula each, and all together as a curve, as a fan and as a spacetime.
+/// Reads lines as one formula each, and all together as a curve, as a custom surface law and as a spacetime.
 fn formula(bytes: &[u8]) {
     let text = text(bytes);
     let lines: Vec<&str> = text.split('\n').take(400).collect();
@@ -177,7 +177,7 @@ fn formula(bytes: &[u8]) {
     }
 }
 
-/// A law of one's own, linked into a program.
+/// Links a custom law into a program.
 fn law(bytes: &[u8]) {
     with_file("law.wgsl", bytes, |path| {
         let law = text(bytes);
@@ -202,7 +202,7 @@ fn mesh<const FORMAT: char>(bytes: &[u8]) {
     with_file(name, bytes, |path| _ = shown(Mesh::load(path)).map(|mesh| whole(&mesh)));
 }
 
-/// What is promised of every mesh.
+/// Checks the guarantees of every mesh.
 fn whole(mesh: &Mesh) {
     let used = mesh.triangles.iter().flatten().max().map_or(0, |last| *last as usize + 1);
     assert_eq!(used, mesh.vertices.len());
@@ -228,7 +228,7 @@ fn gltf(bytes: &[u8]) {
             std::fs::write(scene.with_file_name(name), bytes).unwrap();
         }
         let read = Scene::parse(&imported.text, &scene, &[]);
-        // Pictures may be broken, and a camera in a wall; what is written is not.
+        // Images may be broken, and the camera may be in a wall, but the written text must be valid.
         let said = read.err().map(|error| error.to_string()).unwrap_or_default();
         let is_of_the_file = ["picture", "cannot read", "the camera is"].iter().any(|words| said.contains(words));
         assert!(said.is_empty() || is_of_the_file, "{said}\n{}", imported.text);
@@ -277,7 +277,7 @@ fn sky(bytes: &[u8]) {
     });
 }
 
-/// A picture of the program's own, and parts of one.
+/// Reads an image that the program wrote, and parts of one.
 fn part(bytes: &[u8]) {
     let name = if bytes.starts_with(b"\x89PNG") { "a.png" } else { "a.exr" };
     with_file(name, bytes, |path| {
