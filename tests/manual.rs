@@ -1,4 +1,4 @@
-//! The manual and the README are true: their scenes load, their commands run, their keys, links and pictures exist, and every page is
+//! The manual and the README are correct: their scenes load, their commands run, their keys, links and images exist, and every page is
 //! listed.
 
 use std::collections::BTreeSet;
@@ -19,19 +19,19 @@ fn read(file: &str) -> String {
     std::fs::read_to_string(root().join(file)).unwrap_or_else(|error| panic!("{file}: {error}"))
 }
 
-/// Every text that users read, by its name.
+/// Returns every text that users read, with its name.
 fn texts() -> Vec<(String, String)> {
     let pages = pages().map(|page| (page.name.to_owned(), page.text.to_owned()));
     [("README.md".to_owned(), read("README.md"))].into_iter().chain(pages).collect()
 }
 
-/// What a text has between single backticks, outside of blocks.
+/// Returns the contents of single backticks in a text, outside of blocks.
 fn spans(text: &str) -> Vec<String> {
     let prose = text.split("```").step_by(2);
     prose.flat_map(|prose| prose.split('`').skip(1).step_by(2).map(|span| span.replace('\n', " "))).collect()
 }
 
-/// A scene of what a page shows of one: what it lacks of a camera, of a bound and of materials that it names is added.
+/// Completes an excerpt of a scene: adds a camera, a bounding sphere and the materials that it names, if these are missing.
 fn whole_scene(shown: &str) -> String {
     let mut scene = shown.to_owned();
     let has = |table: &str| shown.lines().any(|line| line.starts_with(table));
@@ -49,7 +49,7 @@ fn whole_scene(shown: &str) -> String {
     scene
 }
 
-/// Files are looked for beside the scenes that have them.
+/// Returns the folder of scenes that has these files.
 fn folder_of(scene: &str) -> PathBuf {
     if scene.contains("\"scenes/") {
         return root().to_owned();
@@ -64,7 +64,7 @@ fn folder_of(scene: &str) -> PathBuf {
 fn what_is_shown_of_scenes_loads() {
     let mut count = 0;
     for (name, text) in texts() {
-        // Files that the reader saves are read by the page's commands.
+        // Files that the reader saves are read by the commands of the page.
         let is_file =
             |shown: &&str| shown.starts_with("# ") && shown.lines().next().unwrap().split('.').nth(1) == Some("toml");
         for shown in blocks(&text, "toml").into_iter().filter(|shown| !is_file(shown)) {
@@ -83,7 +83,7 @@ fn run(folder: &Path, cache: &Path, words: &[String]) -> Output {
     command.args(words).current_dir(folder).stdin(Stdio::null()).env("BENTRAY_CACHE", cache).output().unwrap()
 }
 
-/// The same command, but quick: a small picture of few samples, the first of some frames, a coarse grid.
+/// Returns a fast variant of the command: a small image of few samples, the first of several frames, a coarse grid.
 fn quick(words: &[String]) -> Vec<String> {
     let has = |flag: &str| words.iter().any(|word| word == flag);
     let mut quick = words.to_vec();
@@ -91,7 +91,7 @@ fn quick(words: &[String]) -> Vec<String> {
         let at = quick.iter().position(|word| word == value).unwrap();
         match flag.as_str() {
             "--samples" => quick[at] = (value.parse::<u32>().unwrap() / 256).max(2).to_string(),
-            // A few that a film is made of are all needed.
+            // The few frames of a video are all needed.
             "--frames" if value != "0..3" => quick[at] = value.split("..").next().unwrap().replace("all", "0"),
             _ => {}
         }
@@ -102,7 +102,7 @@ fn quick(words: &[String]) -> Vec<String> {
         "light" => add("--set lights.0.voxels=8"),
         _ => {}
     }
-    // The rows and columns of a region are of the size that is given.
+    // The rows and columns of a region refer to the given size.
     if words[0] == "render" && !has("--crop") {
         if let Some(at) = quick.iter().position(|word| word == "--size") {
             quick.drain(at..at + 2);
@@ -112,19 +112,19 @@ fn quick(words: &[String]) -> Vec<String> {
     quick
 }
 
-/// A command that takes long whatever it is given: the line is read to its end, and then only its help is asked for.
+/// Returns a variant of a command that is always slow: its options are parsed, but then it only prints its help.
 fn only_read(words: &[String]) -> Vec<String> {
     words.iter().cloned().chain(["--help".to_owned()]).collect()
 }
 
-/// A render as a check of its scene, with the same changes.
+/// Returns a check of the scene of a render, with the same changes.
 fn checked(words: &[String]) -> Vec<String> {
     let changes = words.iter().zip(&words[1..]).filter(|(flag, _)| *flag == "--set");
     let changes = changes.flat_map(|(flag, change)| [flag.clone(), change.clone()]);
     ["check".to_owned(), words[1].clone()].into_iter().chain(changes).collect()
 }
 
-/// Whether a later command reads a file that this one writes.
+/// Returns `true` if a later command reads a file that this one writes.
 fn is_read(words: &[String], later: &[Vec<String>]) -> bool {
     let outputs = words.iter().zip(&words[1..]).filter(|(flag, _)| *flag == "-o").map(|(_, file)| file);
     let stems: Vec<&str> = outputs.map(|file| file.split(['.', '{']).next().unwrap()).collect();
@@ -136,8 +136,8 @@ fn is_read(words: &[String], later: &[Vec<String>]) -> bool {
     })
 }
 
-/// Every command of README and manual runs, in its page's order. Each page's first render runs at a small size, and so does a render
-/// whose files a later command reads. Of the others the options are read and the scene is checked, with its changes.
+/// Runs every command of README and manual in the order of its page. The first render of each page runs at a small size, and so does a
+/// render whose files a later command reads. For all others the options are parsed and the scene is checked, with its changes.
 #[test]
 fn commands_run() {
     let cache = tempfile::tempdir().unwrap();
@@ -183,7 +183,7 @@ fn commands_run() {
     assert!(count > 200, "{count}");
 }
 
-/// What prose calls `bentray NAME` is a command.
+/// Checks that `bentray NAME` in prose is a command.
 #[test]
 fn commands_that_are_named_exist() {
     let folder = tempfile::tempdir().unwrap();
@@ -200,7 +200,7 @@ fn commands_that_are_named_exist() {
     }
 }
 
-/// What prose calls by a table's name and a key, such as `camera.redshift`, is a key of the reference.
+/// Checks that a table and a key in prose, such as `camera.redshift`, are a key of the reference.
 #[test]
 fn keys_that_are_named_exist() {
     let tables: BTreeSet<&str> = REFERENCE.iter().map(|key| key.table).filter(|table| !table.contains('.')).collect();
@@ -242,7 +242,7 @@ fn every_page_is_listed() {
     }
 }
 
-/// Every picture of the manual is shown, by a page that has a command or a program that makes it.
+/// Checks that every image of the manual is shown, on a page with a command or a program that makes it.
 #[test]
 fn pictures_are_made_by_commands() {
     let mut shown = BTreeSet::new();
@@ -251,7 +251,7 @@ fn pictures_are_made_by_commands() {
             let Some(name) = target.strip_prefix("../../pictures/") else { continue };
             let stem = name.split('.').next().unwrap().trim_end_matches(|sign: char| sign.is_ascii_digit());
             let file = |word: &str| word.rsplit('/').next().unwrap().to_owned();
-            // `compare` writes charts whose names begin with the scene's.
+            // `compare` writes charts whose names begin with the name of the scene.
             let is_chart =
                 |words: &[String]| words[0] == "compare" && stem.starts_with(file(&words[1]).trim_end_matches(".toml"));
             let is_written =
@@ -276,7 +276,7 @@ fn texts_are_short() {
     }
 }
 
-/// What links of the README and of CONTRIBUTING.md lead to is there, and in the crate that is published.
+/// Checks that the targets of links in the README and in CONTRIBUTING.md exist, and are in the published crate.
 #[test]
 fn links_lead_somewhere() {
     let list = ["package", "--list", "--allow-dirty", "--offline"];

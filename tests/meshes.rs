@@ -13,7 +13,7 @@ use glam::DVec3;
 
 use crate::support::gpu;
 
-/// A small generator of numbers in [-1, 1): the tests are the same in every run.
+/// A small generator of numbers in [-1, 1), so that the tests are identical in every run.
 struct Random(u64);
 
 impl Random {
@@ -45,7 +45,7 @@ fn with_mesh(obj: &str) -> tempfile::TempDir {
     folder
 }
 
-/// A cube of half width `half`, each face cut into n × n squares of two triangles.
+/// Returns a cube of half width `half`, each face cut into n × n squares of two triangles.
 fn box_obj(half: f64, n: u32) -> String {
     let mut obj = String::new();
     let mut count = 0;
@@ -90,12 +90,12 @@ fn rays_from(x: DVec3, count: usize) -> Vec<[f64; 6]> {
         .collect()
 }
 
-/// Every law and method: out of a closed box of triangles nothing escapes.
+/// Checks for every law and method that no ray escapes from a closed box of triangles.
 #[test]
 fn nothing_tunnels_out_of_a_closed_box() {
     let folder = with_mesh(&box_obj(9.0, 5));
     let mut random = Random(3);
-    // A flow takes its own direction: many starts instead.
+    // A flow determines the direction, so rays have many starts instead.
     let starts: Vec<[f64; 6]> =
         (0..3_000).map(|_| [random.next() * 8.0, random.next() * 8.0, random.next() * 8.0, 1.0, 0.0, 0.0]).collect();
     std::fs::write(folder.path().join("starts.csv"), table(&starts)).unwrap();
@@ -124,7 +124,7 @@ fn nothing_tunnels_out_of_a_closed_box() {
     ];
     for (i, law) in laws.into_iter().enumerate() {
         for (k, method) in methods.into_iter().enumerate() {
-            // Every law with half of the methods, and every method with half of the laws.
+            // Each law runs with half of the methods, and each method with half of the laws.
             if (i + k) % 2 == 1 || method.contains("snell") && !law.contains("medium") {
                 continue;
             }
@@ -154,7 +154,7 @@ fn table(rays: &[[f64; 6]]) -> String {
     format!("x,y,z,vx,vy,vz\n{}", rows.collect::<String>())
 }
 
-/// The nearest hit of a straight line among all triangles, in f64.
+/// Returns the nearest hit of a straight line among all triangles, in f64.
 #[allow(clippy::many_single_char_names)] // the usual letters of corners and barycentric coordinates
 fn brute_force(geometry: &Geometry, x: DVec3, d: DVec3) -> Option<f64> {
     let corner = |i: u32| geometry.vertices[i as usize].position.as_dvec3();
@@ -202,13 +202,13 @@ fn the_hierarchy_finds_what_brute_force_finds() {
     assert!(ends.iter().filter(|end| end.status == Status::Hit).count() > 800);
 }
 
-/// Through a stack of 30,000 coincident walls the walk cannot be done in one pass: it is suspended, goes on, and finds the same.
+/// A traversal of 30,000 coincident walls exceeds one pass: it is suspended, resumes, and finds the same hit.
 #[test]
 fn suspended_walks_go_on() {
     let gpu = gpu();
     let mut obj = String::new();
     for i in 0..30_000 {
-        // All in front of the rays, none hit: the boxes overlap the rays' lines, the triangles lie beside them.
+        // All are in front of the rays and none is hit: the boxes overlap the lines of the rays, but the triangles are next to them.
         let z = 1e-6 * f64::from(i);
         writeln!(obj, "v -5 -5 {z}\nv 5 -5 {z}\nv -5 5 {z}\nf {} {} {}", 3 * i + 1, 3 * i + 2, 3 * i + 3).unwrap();
     }
@@ -248,7 +248,7 @@ fn suspended_walks_go_on() {
     }
 }
 
-/// Meshes of 100,000 triangles are usable, and the program stays the same size.
+/// Meshes of 100,000 triangles are usable, and the size of the program does not change.
 #[test]
 fn large_meshes_are_usable() {
     let gpu = gpu();

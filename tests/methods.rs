@@ -1,4 +1,4 @@
-//! 'Model no more than a scene needs', for every method, control and precision that each shipped scene's law allows.
+//! Checks 'Model no more than a scene needs' for every method, control and precision that the law of each shipped scene allows.
 
 use std::collections::BTreeSet;
 use std::path::Path;
@@ -11,7 +11,7 @@ use bentray::scene::{Precision, Rays, Scene};
 use crate::exactness::unused;
 use crate::support::shipped_scenes;
 
-/// Which laws a method is for.
+/// The laws that a method supports.
 #[derive(Clone, Copy, PartialEq)]
 enum For {
     All,
@@ -20,7 +20,7 @@ enum For {
     Straight,
 }
 
-/// A setting of `[rays]`, the laws it is for, and all the parts of steps, controls and memories that it needs.
+/// Settings of `[rays]`, the laws that they support, and all the modules of steps, controls and memories that they need.
 const SETTINGS: &[(&str, For, &str)] = &[
     ("method=euler", For::All, "method/step/euler method/control/planned method/control/scaled method/memory_step"),
     ("method=rk4", For::All, "method/step/rk4 method/control/planned method/control/scaled method/memory_step"),
@@ -69,16 +69,16 @@ const SETTINGS: &[(&str, For, &str)] = &[
     ("method=exact", For::Straight, "method/memory_step"),
 ];
 
-/// A precision, and the parts that numbers and state have in it.
+/// A precision, and its modules for numbers and state.
 type State = (Precision, &'static str);
 
-/// The order of a flow.
+/// Returns the order of a flow.
 fn flow_order(law: &dyn Law) -> Option<FlowOrder> {
     let lorenz = law.downcast().map(|Lorenz { order, .. }| *order);
     lorenz.or_else(|| law.downcast().map(|Rossler { order, .. }| *order))
 }
 
-/// The form of a hole's law.
+/// Returns the form of a black hole's law.
 fn form(law: &dyn Law) -> Option<HoleForm> {
     law.downcast().map(|RoundHole { form, .. }| *form)
 }
@@ -92,19 +92,19 @@ fn allows(law: &dyn Law, wanted: For) -> bool {
     }
 }
 
-/// The scene under a setting, read without its objects, whose files are large.
+/// Loads the scene with a setting and without its objects, whose files are large.
 fn bare(path: &Path, setting: &str) -> Option<Scene> {
     let keys = setting.split_whitespace().map(str::to_owned).chain(["objects=[]", "lights=[]"].map(str::to_owned));
     let overrides: Vec<_> = keys.map(|key| key.parse().unwrap()).collect();
     Scene::load(path, &overrides).ok()
 }
 
-/// The other form that the scene's law has.
+/// Returns the other form of the scene's law, if any.
 fn other_form(law: &dyn Law) -> Option<&'static str> {
     form(law).map(|_| "law.form=geodesic").or(flow_order(law).map(|_| "law.order=2"))
 }
 
-/// One after the other, so that each way to cut a program meets each part of the table: seven, which is no multiple of the
+/// Returns choices to cycle through, so that each way to cut a program meets each row of the table: seven, which is not a multiple of the
 /// number of precisions.
 fn choices() -> Vec<ProgramOptions> {
     let mut all = vec![ProgramOptions { masks: RaySkipping::Off, ..ProgramOptions::default() }];
@@ -122,8 +122,8 @@ fn choices() -> Vec<ProgramOptions> {
     all
 }
 
-/// Every pass of the scene's program: nothing in it is unused, and of steps, controls, memories, numbers and states all of them
-/// together have what is needed, and no more.
+/// Checks every pass of the scene's program: nothing in it is unused, and its modules for steps, controls, memories, numbers and states are
+/// together exactly the needed ones.
 fn check(scene: &Scene, options: &ProgramOptions, needed: &str, at: &str) {
     let analysis = Analysis::of(scene);
     let features = Features::of(scene, options, &analysis);
@@ -132,19 +132,19 @@ fn check(scene: &Scene, options: &ProgramOptions, needed: &str, at: &str) {
     let entries: Vec<&str> = features.passes().iter().map(|pass| pass.entry()).collect();
     for linked in link_all(&planned, &entries).unwrap_or_else(|error| panic!("{at}: {error}")) {
         let unused = unused(&linked).unwrap_or_else(|error| panic!("{at}: {error}"));
-        assert!(unused.is_empty(), "{at}: pass {} has {unused:?} for nothing", linked.entry);
+        assert!(unused.is_empty(), "{at}: pass {} has {unused:?} without use", linked.entry);
         parts.extend(linked.parts().into_iter().map(|part| part.trim_end_matches(".wgsl").to_owned()));
     }
     let contracts =
         ["method/step/", "method/control/", "method/memory_", "real/f", "state/ray", "state/te", "state/buffer"];
     parts.retain(|part| contracts.iter().any(|contract| part.starts_with(contract)));
-    // A path in one pass keeps no state.
+    // A path in one pass stores no state.
     let is_kept = |part: &&str| features.schedule != Schedule::Whole || !part.starts_with("state/");
     let needed: BTreeSet<String> = needed.split_whitespace().filter(is_kept).map(str::to_owned).collect();
     assert_eq!(parts, needed, "{at}");
 }
 
-/// Every setting under one form of the law: those that it allows in these precisions, the others are refused. How many of both.
+/// Checks every setting with one form of the law: allowed settings in these precisions, and rejected ones. Returns the number of both.
 fn check_settings(path: &Path, full: &Scene, form: &str, precisions: &[State]) -> [usize; 2] {
     let law = bare(path, form).unwrap().law;
     let mut choices = choices().into_iter().cycle();
@@ -172,7 +172,7 @@ fn check_scenes(precisions: &[State]) {
     let (mut counts, mut seen) = ([0, 0], BTreeSet::new());
     for path in shipped_scenes() {
         let full = Scene::load(&path, &[]).unwrap();
-        // A law's other form once only.
+        // The other form of a law is checked only once.
         let other = other_form(&*full.law).filter(|form| seen.insert(*form));
         for form in [""].into_iter().chain(other) {
             let of_form = check_settings(&path, &full, form, precisions);

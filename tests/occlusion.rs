@@ -12,7 +12,7 @@ fn rendered(text: &str, options: ProgramOptions) -> Rendering {
         .unwrap()
 }
 
-/// A white floor, seen from so near that all pixels show one place.
+/// Returns a scene with a white floor, seen from so near that all pixels show one point.
 fn floor(ambient: &str, objects: &str, x: f64) -> String {
     format!(
         "[image]\nsize = [16, 16]\nsamples = 64\n[camera]\nkind = \"orthographic\"\nheight = 1e-5\nposition = [{x}, 0.002, 0]\n\
@@ -23,7 +23,7 @@ fn floor(ambient: &str, objects: &str, x: f64) -> String {
 }
 
 const BALL: &str = "[[objects]]\nshape = \"sphere\"\ncenter = [0, 1, 0]\nradius = 1\n";
-/// Above the place that is seen, and the camera.
+/// A ball above the visible point and the camera.
 const RAISED: &str = "[[objects]]\nshape = \"sphere\"\ncenter = [0, 1.2, 0]\nradius = 1\n";
 const WALL: &str = "[[objects]]\nshape = \"box\"\nmaterial = \"m\"\ncenter = [1.5, 25, 0]\nsize = [2, 50, 400]\n";
 
@@ -49,7 +49,7 @@ fn what_is_open_is_as_bright() {
     }
 }
 
-/// Lights shine through glass whatever that does to ambient light.
+/// Lights shine through glass, whatever its effect on ambient light.
 #[test]
 fn glass_casts_no_shadow_of_lights() {
     let light = "[[lights]]\nkind = \"directional\"\ndirection = [0, -1, 0]\nshadows = \"straight-rays\"\n";
@@ -60,12 +60,12 @@ fn glass_casts_no_shadow_of_lights() {
     ] {
         let text = format!("{}{light}", floor("floor = 1", &format!("{BALL}{gloss}"), 0.5));
         let (mean, _) = mean_of(&rendered(&text, ProgramOptions::default()), 0);
-        // Ambient light, and a lamp that faces it.
+        // Ambient light, and a light that faces the floor.
         assert!((mean - 2.0).abs() < 1e-4, "{gloss}: {mean}");
     }
 }
 
-/// Each light and ambient light say for themselves whether clear things shut them out.
+/// Each light, and ambient light, specifies separately whether transparent objects occlude it.
 #[test]
 fn clear_things_shut_out_what_asks_for_it() {
     let light = |shadows: &str, part: f64| {
@@ -89,17 +89,17 @@ fn clear_things_shut_out_what_asks_for_it() {
             let expected = if gloss.starts_with("material") { 2.0 } else { 2.5 };
             assert!((mean - expected).abs() < 1e-4, "{gloss}, {ambient}: {mean}");
         }
-        // And beside the ball all of them.
+        // Next to the ball no light is occluded.
         let text = format!("{}{}", floor("floor = 1", &format!("{BALL}{gloss}"), 3.0), all.concat());
         let (mean, _) = mean_of(&rendered(&text, ProgramOptions::default()), 0);
         assert!((mean - 2.75).abs() < 1e-4, "{gloss}: {mean}");
     }
 }
 
-/// What glass of index 1.5 lets through head on, through both of its sides.
+/// The fraction of light that glass of index 1.5 transmits at normal incidence, through both of its sides.
 const THROUGH: f64 = 0.96 * 0.96;
 
-/// A floor seen beside what stands on it, lit by one light alone.
+/// Renders a floor that is seen next to the objects on it, lit by one light alone.
 fn lit(law: &str, objects: &str, light: &str) -> Rendering {
     let text = floor("floor = 1", objects, 0.0).replace("ambient = 1", "ambient = 0");
     let text = text.replace("[ambient]\nfloor = 1\n", law).replace("diffuse = [1, 0.5, 0]", "diffuse = [1, 1, 1]");
@@ -115,7 +115,7 @@ fn clear_things_weaken_light_on_straight_lines() {
     let slanting = "kind = \"directional\"\ndirection = [0, -0.6, 0.8]\n";
     let near = "kind = \"point\"\nposition = [0, 3, 0]\n";
     let (c, s) = (0.6_f64, 0.8_f64);
-    // Fresnel's law for a ray of sine s, without an angle in it.
+    // The Fresnel equations for a ray of sine s, without angles.
     let inside = (1.0 - (s / 1.5_f64).powi(2)).sqrt();
     let [r1, r2] = [(c - 1.5 * inside) / (c + 1.5 * inside), (1.5 * c - inside) / (1.5 * c + inside)];
     let slanted = 1.0 - 0.5 * (r1 * r1 + r2 * r2);
@@ -135,7 +135,7 @@ fn clear_things_weaken_light_on_straight_lines() {
             "",
             [0.5_f64.powf(1.0 / c), 1.0, 0.0].map(|t| c * t * slanted * slanted),
         ),
-        // Where indices agree there is nothing but the filter.
+        // Between equal indices only absorption remains.
         (slab("n = 1, absorption = [0.5, 1, 0.2]"), above, "", [0.5, 1.0, 0.2]),
         (
             ball("{ coefficient = [\"0.1 + 0.4*r^2\", \"0.3\", \"exp(-y)\"] }"),
@@ -147,9 +147,9 @@ fn clear_things_weaken_light_on_straight_lines() {
                 THROUGH * (-2.0 * 1.0_f64.sinh()).exp(),
             ],
         ),
-        // Through space alone, down to the floor; and the camera is 0.002 above it.
+        // Only through space, down to the floor; and the camera is 0.002 above it.
         (String::new(), near, "absorption = [0.9, 0.5, 1]\n", [0.9_f64.powf(3.002), 0.5_f64.powf(3.002), 1.0]),
-        // Two bodies, and the space around them.
+        // Two objects, and the space around them.
         (
             format!(
                 "{}{}",
@@ -175,7 +175,7 @@ fn clear_things_weaken_light_on_straight_lines() {
     }
 }
 
-/// Each light has its own way with what is clear, and ambient light too.
+/// Each light has a separate setting for transparent objects, and so has ambient light.
 #[test]
 fn lights_of_all_kinds_share_a_scene() {
     let light = |part: f64, clear: &str| {
@@ -189,7 +189,7 @@ fn lights_of_all_kinds_share_a_scene() {
     let (mean, _) = mean_of(&rendered(&text, ProgramOptions::default()), 0);
     let expected = 1.0 + 1.0 + 0.5 * 0.25 * THROUGH;
     assert!((mean - expected).abs() < 1e-3, "{mean} for {expected}");
-    // A dome of glass over the place: all ambient light comes through it head on.
+    // A dome of glass over the point: all ambient light crosses it at normal incidence.
     let dome = glass.replace("center = [0, 1.2, 0]", "center = [0, 0, 0]");
     let (mean, error) =
         mean_of(&rendered(&floor("transparent = \"tinted\"", &dome, 0.0), ProgramOptions::default()), 0);
@@ -197,7 +197,7 @@ fn lights_of_all_kinds_share_a_scene() {
     assert!((mean - expected).abs() < 4.0 * error + 2e-3, "{mean} ± {error} for {expected}");
 }
 
-/// A white floor under a black ball and beside a black wall, seen from above.
+/// Returns a scene with a white floor under a black ball and next to a black wall, seen from above.
 fn bent_scene(law: &str, more: &str) -> String {
     format!(
         "[image]\nsize = [24, 18]\nsamples = 256\n[camera]\nkind = \"pinhole\"\nposition = [0, 6, 12]\nlook_at = [0, 1, 0]\nfov = 50\n\
@@ -210,7 +210,7 @@ fn bent_scene(law: &str, more: &str) -> String {
     )
 }
 
-/// One bounce of a path under a white sky: what law it follows is for other parts to say.
+/// Compares ambient occlusion with one bounce of path tracing under a white sky; other tests check the paths.
 #[test]
 fn bent_paths_find_as_much_open() {
     let hole = "[law]\nkind = \"schwarzschild\"\ncenter = [0, 2.5, 0]\nmass = 0.3\n";
@@ -225,10 +225,10 @@ fn bent_paths_find_as_much_open() {
         let paths =
             rendered(&bent_scene(&format!("lighting = \"path-tracing\"\n{law}"), more), ProgramOptions::default());
         let at = |picture: &Rendering, i: usize| f64::from(picture.band.color[0][i]);
-        // Pixels that show the floor and nothing else.
+        // Pixels that only show the floor.
         let floor: Vec<usize> = (0..24 * 18).filter(|i| at(&whole, *i) > 0.9999).collect();
         let seen = floor.len() as f64;
-        // Each of the two is a mean of so many zeros and ones, drawn anew.
+        // Both values are means of that many independent zeros and ones.
         let squares = |picture: &Rendering| {
             let square = |i: &usize| {
                 let p = at(&open, *i);
@@ -239,7 +239,7 @@ fn bent_paths_find_as_much_open() {
         let (off, from_straight) = (squares(&paths), squares(&straight));
         assert!(seen > 20.0, "{law}: {seen}");
         assert!(off < seen + 5.0 * (2.0 * seen).sqrt(), "{law}: {off} for {seen}");
-        // Both drew the same directions, and would be alike to the bit if the law bent nothing.
+        // Both used identical random directions, and would be bit-identical without bending.
         assert!(from_straight > 0.3 * seen, "{law}: along straight lines it is {from_straight} for {seen}");
     }
 }

@@ -1,4 +1,4 @@
-//! Traced rays against answers to 15 digits, from closed forms and high-order series.
+//! Compares traced rays with answers to 15 digits, from closed forms and high-order series.
 
 use std::collections::BTreeMap;
 
@@ -14,7 +14,7 @@ pub fn vector(text: &str) -> DVec3 {
     DVec3::new(numbers[0], numbers[1], numbers[2])
 }
 
-/// Rows of a table, grouped by the scene that they are traced in: each distinct one costs a compilation.
+/// Returns the traced rows of a table, grouped by scene, because each distinct one requires a compilation.
 pub fn traced<'t>(
     gpu: &Gpu,
     rows: &[Vec<&'t str>],
@@ -46,8 +46,8 @@ pub fn rows(table: &str) -> Vec<Vec<&str>> {
     table.lines().filter(|line| !line.starts_with('#')).map(|line| line.split('\t').collect()).collect()
 }
 
-/// RK4 at η = 0.03: its own error is under float32's. Bounds: 2e-5, or 40 times what one rounding of the input does to the
-/// answer (some 40 times as many roundings lie along the path).
+/// RK4 at η = 0.03 has an error below that of float32. The bound is 2e-5, or 40 times the effect of one rounding of the input on the answer
+/// (a path has about 40 times as many roundings).
 #[test]
 fn rays_end_where_closed_forms_say() {
     let rows = rows(include_str!("tables/ends.tsv"));
@@ -75,8 +75,8 @@ fn rays_end_where_closed_forms_say() {
     }
 }
 
-/// Media that fill all space, by an embedded pair: bounds in 32 bits as above, and 1e-9 in 64. |v| = n holds at the ends as well
-/// as they are known.
+/// Media that fill all space, with an embedded pair: bounds in 32 bits as above, and 1e-9 in 64. |v| = n holds at the ends with the
+/// accuracy of their positions.
 #[test]
 fn rays_of_media_end_where_closed_forms_say() {
     let rows = rows(include_str!("tables/media.tsv"));
@@ -100,7 +100,7 @@ fn rays_of_media_end_where_closed_forms_say() {
             let direction = DVec3::from(end.v).normalize().distance(vector(row[8]));
             let start = [vector(row[4]), law.starting_velocity(vector(row[4]), vector(row[5]))];
             let [(_, drifted)] = drift(&*law, [(start, &end)].into_iter())[..] else {
-                panic!("{}: nothing is kept", row[0])
+                panic!("{}: the law has no constants of motion", row[0])
             };
             let bounds = [floor.max(factor * number(9) / radius), floor.max(factor * number(10)), floor];
             for (k, error) in [position, direction, drifted.max].into_iter().enumerate() {
@@ -132,7 +132,7 @@ fn flows_follow_their_orbits() {
     }
 }
 
-/// What a law keeps is kept: energy in a field of forces, |v| = n in a medium, both forms of Schwarzschild's the same path.
+/// Checks constants of motion: energy in a field of forces, |v| = n in a medium, and the identical path in both Schwarzschild forms.
 #[test]
 fn rays_keep_what_their_law_keeps() {
     let gpu = gpu();
@@ -144,7 +144,7 @@ fn rays_keep_what_their_law_keeps() {
             "[law]\nkind = \"medium\"\nindex = {index}\n[rays]\nscaled_step = 0.05\nmax_segments = 4000\nmax_parameter = 9\n\
              bounding_sphere = {{ radius = 20 }}\n"
         );
-        // Traced on from where it ended, a ray of the medium starts with |v| = n there: it must have had that already.
+        // A ray of the medium that is restarted at its end starts with |v| = n there, so it must have ended with that.
         let (ends, _) = trace(&gpu, &scene(&medium), &RenderSettings::default(), &rays).unwrap();
         let short = medium.replace("max_parameter = 9", "max_parameter = 1e-6");
         let again: Vec<[f64; 6]> =
@@ -157,7 +157,7 @@ fn rays_keep_what_their_law_keeps() {
     }
 }
 
-/// Every kind of medium as a scene's law: |v| = n at the end of a path, by the host's own n.
+/// Checks that every kind of medium as a scene's law has |v| = n at the end of a path, with n from the CPU.
 #[test]
 fn speed_follows_the_index_of_every_medium() {
     let gpu = gpu();
@@ -189,7 +189,7 @@ fn speed_follows_the_index_of_every_medium() {
     }
 }
 
-/// Backwards along its own path a ray comes back to its start.
+/// A ray that returns along its path reaches its start.
 #[test]
 fn paths_can_be_followed_back() {
     let gpu = gpu();
@@ -204,7 +204,7 @@ fn paths_can_be_followed_back() {
     for (ray, start) in rays.iter().zip(starts) {
         let line = DVec3::new(ray[3], ray[4], ray[5]);
         let off = (DVec3::from(start.x) - DVec3::new(ray[0], ray[1], ray[2])).reject_from_normalized(line).length();
-        assert!(off < 1e-2, "came back {off} beside its start");
+        assert!(off < 1e-2, "came back {off} from its start");
         // The rays that wind longest start half a unit outside the critical one, where errors grow a hundredfold.
         let turned = (DVec3::from(start.v).normalize() + line).length();
         assert!(turned < 2e-3, "came back turned by {turned}");

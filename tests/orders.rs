@@ -1,7 +1,7 @@
-//! How fast whole paths converge: the order of every method on several laws in 64 bits, and where rounding ends it in 32.
+//! Convergence of whole paths: the order of every method on several laws in 64 bits, and the limit by rounding in 32.
 //!
-//! The truth is a much finer run of another program: the host's own, in f64. So a law whose device form had fewer digits than
-//! f64 would show too.
+//! The reference is a much finer solution by separate code on the CPU, in f64. A law whose device form had fewer digits than f64 would
+//! therefore be detected too.
 
 use bentray::gpu::Gpu;
 use bentray::render::{RenderSettings, Status, Traced, trace};
@@ -10,7 +10,7 @@ use glam::DVec3;
 use crate::shaders::schemes::{DORMAND_PRINCE, Phase, lorenz_field, path_rate};
 use crate::support::{gpu, scene};
 
-/// A law, its rate, where rays start, and the τ at which they end.
+/// A law, its rate, the starts of rays, and the τ at which they end.
 struct Law {
     name: &'static str,
     text: &'static str,
@@ -20,7 +20,7 @@ struct Law {
     length: f64,
 }
 
-/// Starts are numbers that f32 has, so that 32 bits start from the same place.
+/// Starts are exact in f32, so that 32 bits start from the same position.
 const LAWS: [Law; 4] = [
     Law {
         name: "schwarzschild",
@@ -63,14 +63,14 @@ impl Law {
         (0..RAYS).map(|k| (self.starts)(f64::from(k)))
     }
 
-    /// Where the rays end: by steps so small that rounding is all their error.
+    /// Returns the ends of the rays, by steps so small that the error is only rounding.
     fn truth(&self) -> Vec<DVec3> {
         const STEPS: u32 = 2000;
         let h = self.length / f64::from(STEPS);
         self.starts().map(|start| (0..STEPS).fold(start, |p, _| DORMAND_PRINCE.end(self.rate, p, h))[0]).collect()
     }
 
-    /// Where the device says that they end.
+    /// Returns the ends of the rays on the device.
     fn ends(&self, gpu: &Gpu, precision: &str, rays: &str, segments: u32) -> Vec<Traced> {
         let text = format!(
             "[law]\n{}\n[rays]\nprecision = \"{precision}\"\nmax_parameter = {:?}\nmax_segments = {segments}\n{rays}\n\
@@ -86,7 +86,7 @@ impl Law {
         ends
     }
 
-    /// With so many steps of one size. The cap is far off.
+    /// Traces with `steps` steps of one size; the cap is far larger.
     fn fixed(&self, gpu: &Gpu, precision: &str, method: &str, steps: u32) -> Vec<Traced> {
         let h = self.length / f64::from(steps);
         let ends =
@@ -101,13 +101,13 @@ impl Law {
     }
 }
 
-/// Of the places, relative: its geometric mean over the rays.
+/// Returns the geometric mean of the relative errors of positions.
 fn error(ends: &[Traced], truth: &[DVec3]) -> f64 {
     let logs = ends.iter().zip(truth).map(|(end, x)| (DVec3::from(end.x).distance(*x) / x.length()).max(1e-18).ln());
     (logs.sum::<f64>() / ends.len() as f64).exp()
 }
 
-/// The slope of ln y over ln x by least squares.
+/// Returns the slope of ln y over ln x by least squares.
 fn slope(points: &[(f64, f64)]) -> f64 {
     let n = points.len() as f64;
     let logs: Vec<(f64, f64)> = points.iter().map(|(x, y)| (x.ln(), y.ln())).collect();
@@ -116,7 +116,7 @@ fn slope(points: &[(f64, f64)]) -> f64 {
     xy / xx
 }
 
-/// Methods of fixed steps, their orders, whether they need an acceleration, and numbers of steps at which the order shows.
+/// Methods of fixed steps, their orders, whether they need an acceleration, and numbers of steps that reveal the order.
 const FIXED: [(&str, f64, bool, [u32; 3]); 4] = [
     ("euler", 1.0, false, [2000, 4000, 8000]),
     ("leapfrog", 2.0, true, [200, 400, 800]),
@@ -141,12 +141,12 @@ fn fixed_steps_converge_by_their_order() {
     }
 }
 
-/// Embedded pairs, their orders, and tolerances at which these show: for less, Dormand and Prince take a few steps only.
+/// Embedded pairs, their orders, and tolerances that reveal them: at larger ones Dormand–Prince takes only a few steps.
 const EMBEDDED: [(&str, f64, [f64; 2]); 2] =
     [("bogacki-shampine", 3.0, [1e-6, 1e-8]), ("dormand-prince", 5.0, [1e-9, 1e-11])];
 
-/// The step is the one whose estimate meets the tolerance, h ∝ tolerance^(1/p), so that the error falls as the tolerance does,
-/// and with the number of steps as steps^−p.
+/// The step size is that whose estimate equals the tolerance, h ∝ tolerance^(1/p), so that the error is proportional to the tolerance, and
+/// to steps^−p with the number of steps.
 #[test]
 fn embedded_pairs_converge_with_their_tolerance() {
     let gpu = gpu();
@@ -164,13 +164,13 @@ fn embedded_pairs_converge_with_their_tolerance() {
             println!("{}, {method}: tolerance^{fall:.2}, order {observed:.2}, {first} to {last}", law.name);
             assert!((fall - 1.0).abs() < 0.1, "{}, {method}: as tolerance^{fall}", law.name);
             assert!((observed - order).abs() < 0.1 * order, "{}, {method}: order {observed}", law.name);
-            // What a ray is promised of its end: no more than the tolerance makes over its length.
+            // The accuracy that a ray is promised: the error is no larger than the tolerance allows over its length.
             assert!(runs.iter().all(|(tolerance, _, error)| error < &(100.0 * tolerance)), "{}, {method}", law.name);
         }
     }
 }
 
-/// In 32 bits rounding ends the fall, where there are more steps sooner; in 64 bits it goes on, as the other tests see.
+/// In 32 bits rounding limits the error, with more steps sooner; in 64 bits it continues to fall, as the other tests show.
 #[test]
 fn rounding_ends_the_fall() {
     let gpu = gpu();

@@ -1,4 +1,4 @@
-//! Rays along curves in closed form: against closed answers, against brute force in 64 bits, and against solvers.
+//! Rays along curves in closed form: against exact answers, against brute force in 64 bits, and against solvers.
 
 #![allow(clippy::unreadable_literal, reason = "answers are given as they were computed")]
 
@@ -13,7 +13,7 @@ use crate::support::{gpu, scene};
 
 type Curve = fn(f64) -> DVec3;
 
-/// G95's two curves and others: with formulas, as functions, and no faster than this.
+/// The two curves of G95 and others: as formulas, as functions, and the greatest speed.
 const FAMILIES: [([&str; 3], Curve, f64); 10] = [
     (["t^2", "t", "2"], |t| DVec3::new(t * t, t, 2.0), 8.1),
     (["cos(2*t)", "t", "sin(2*t)"], |t| DVec3::new((2.0 * t).cos(), t, (2.0 * t).sin()), 2.3),
@@ -37,10 +37,10 @@ const FAMILIES: [([&str; 3], Curve, f64); 10] = [
 
 /// The range of t.
 const LAST: f64 = 4.0;
-/// Of the bounding sphere.
+/// The radius of the bounding sphere.
 const RADIUS: f64 = 18.0;
 
-/// A box: middle and half its size.
+/// A box: its center and half its size.
 type Cuboid = (DVec3, DVec3);
 
 fn within(random: &mut Random, reach: f64) -> DVec3 {
@@ -52,14 +52,14 @@ fn boxes(random: &mut Random, count: usize, reach: f64) -> Vec<Cuboid> {
     (0..count).map(|_| (within(random, reach), 0.5 * size(random))).collect()
 }
 
-/// How far a place is from a box; not above 0 inside.
+/// Returns the distance of a point from a box; at most 0 inside.
 fn distance(x: DVec3, (middle, half): &Cuboid) -> f64 {
     let off = (x - *middle).abs() - *half;
     off.max(DVec3::ZERO).length() + off.max_element().min(0.0)
 }
 
-/// The first box on the curve from `start`, and where: steps as long as nothing can be nearer, but none shorter than 1e-9. None, where
-/// the curve leaves the sphere or ends; and by how much it passed the nearest of the others.
+/// Returns the first box on the curve from `start`, and the point; `None` if the curve leaves the sphere or ends. Steps are as long as the
+/// nearest box allows, but at least 1e-9. Also returns the least distance to the other boxes.
 fn first_box(curve: Curve, fastest: f64, start: DVec3, all: &[Cuboid]) -> (Option<(usize, DVec3)>, f64) {
     let (mut t, mut passed) = (0.0, f64::INFINITY);
     loop {
@@ -73,7 +73,7 @@ fn first_box(curve: Curve, fastest: f64, start: DVec3, all: &[Cuboid]) -> (Optio
         if t >= LAST || edge < 0.0 {
             return (None, passed);
         }
-        // What is near for long is met, or passed close by.
+        // A box that stays near the curve is hit, or narrowly missed.
         passed = passed.min(gap.max(edge.min(LAST - t)));
         t = (t + (gap / fastest).max(1e-9)).min(LAST);
     }
@@ -96,12 +96,12 @@ fn traced(text: &str, starts: &[DVec3]) -> Vec<Traced> {
     trace(&gpu(), &scene(text), &RenderSettings::default(), &rays).unwrap().0
 }
 
-/// Numbers that 32 bits hold, so that both sides have the same scene.
+/// Returns a vector of 32-bit numbers, so that both sides have the same scene.
 fn rounded(x: DVec3) -> DVec3 {
     x.as_vec3().as_dvec3()
 }
 
-/// Rays of one family: how many of them met a box.
+/// Checks the rays of one family, and returns the number of those that hit a box.
 fn agrees(family: usize, count: usize, rays: &str) -> usize {
     let mut random = Random::new(40 + family as u64);
     let all: Vec<Cuboid> =
@@ -123,7 +123,7 @@ fn agrees(family: usize, count: usize, rays: &str) -> usize {
             Some((which, x)) => end.status == Status::Hit && end.object == Some(which as u32) && at.distance(x) < 1e-4,
             None => end.status != Status::Hit,
         };
-        // Who grazes something may meet it or not, as roundings have it.
+        // A grazing ray may hit or miss, depending on rounding.
         let grazes = passed < 2e-5
             || found.is_some_and(|(which, x)| {
                 let further = (0..50).map(|k| x + (curve(f64::from(k) * 1e-6) - curve(0.0)));
@@ -143,7 +143,7 @@ fn hierarchical_rays_find_what_brute_force_finds() {
     }
 }
 
-/// The ray's tree against a grid and against nothing, and without the tree, by a solver in small steps.
+/// Compares the ray tree with a grid and with brute force, and with a solver in small steps.
 #[test]
 fn every_way_to_follow_a_curve_finds_the_same() {
     let mut random = Random::new(77);
@@ -196,7 +196,7 @@ fn curves_meet_spheres_where_closed_forms_say() {
     }
 }
 
-/// A curve with the camera's axes ends where the turned curve does; closed curves come back to where they began.
+/// A curve with the camera's axes ends where the rotated curve does; closed curves return to their start.
 #[test]
 fn curves_turn_with_the_camera() {
     let law = |axes: &str| {

@@ -6,7 +6,7 @@ use bentray::scene::{Override, Scene};
 
 use crate::support::{gpu, mean_of, scene, scenes_in};
 
-/// A closed ball that glows and gives back: of L = Le/(1 − albedo) in every direction, under whatever law.
+/// Returns a closed ball that emits and reflects: its radiance is L = Le/(1 − albedo) in every direction, under any law.
 fn furnace(law: &str, camera: &str, rest: &str) -> String {
     format!(
         "[image]\nsize = [24, 16]\nsamples = 4\n[camera]\nposition = {camera}\nlook_at = [3, 0.5, 0.2]\nfov = 70\n\
@@ -20,7 +20,7 @@ pub fn rendered(scene: &Scene, settings: RenderSettings) -> Rendering {
     Renderer::new(&gpu(), scene, settings).unwrap().render().unwrap()
 }
 
-/// What a floor shows of a lamp is its albedo times E/π, aimed at or not.
+/// The radiance of a floor under an emitter is its albedo times E/π, with and without light sampling.
 #[test]
 fn lamps_light_as_closed_forms_say() {
     let emitters = [
@@ -41,7 +41,7 @@ fn lamps_light_as_closed_forms_say() {
             );
             let picture = rendered(&scene(&text), RenderSettings::default());
             let (mean, error) = mean_of(&picture, 0);
-            // Four standard errors, and what the camera's distance and rounding come to.
+            // Four standard errors, and the effect of the camera's distance and of rounding.
             assert!((mean - form_factor).abs() < 4.0 * error + 3e-5 * form_factor, "{lamp}, {aim}: {mean} ± {error}");
             assert!(error < 0.04 * form_factor, "{lamp}: {error}");
             assert!(picture.band.color[2].iter().all(|x| *x == 0.0));
@@ -49,7 +49,7 @@ fn lamps_light_as_closed_forms_say() {
     }
 }
 
-/// A box with two lamps, a mirror and glass under a law.
+/// Returns a box with two emitters, a mirror and glass under a law.
 fn room(law: &str, aims: [bool; 2], aim: bool) -> String {
     format!(
         "[image]\nsize = [16, 16]\nsamples = 256\n[camera]\nposition = [0, 0.2, 2.6]\nfov = 50\n[law]\n{law}\n\
@@ -68,7 +68,7 @@ fn room(law: &str, aims: [bool; 2], aim: bool) -> String {
     )
 }
 
-/// Aims change the noise and nothing else, however far the law turns what is aimed.
+/// Light sampling changes only the noise, however strongly the law bends the rays.
 #[test]
 fn aims_do_not_change_the_light() {
     let force =
@@ -80,7 +80,7 @@ fn aims_do_not_change_the_light() {
             let noise = picture.totals.noise.clone().unwrap().mean().unwrap();
             let light =
                 picture.band.color[1].iter().map(|x| f64::from(*x)).sum::<f64>() / picture.band.color[1].len() as f64;
-            // The mean of all pixels errs by less than their own by the root of their number.
+            // The mean of all pixels has the error of one pixel divided by the root of their number.
             (light, noise * light / (picture.band.color[1].len() as f64).sqrt(), noise)
         });
         let [(light, error, noise), others @ ..] = pictures;
@@ -91,7 +91,7 @@ fn aims_do_not_change_the_light() {
     }
 }
 
-/// The spot of light below a glass ball, and what a ball of index that falls off from its middle makes of the lamp behind it.
+/// Checks the caustic below a glass ball, and that of an emitter behind a ball whose index decreases from its center.
 #[test]
 fn a_guide_changes_the_noise_and_not_the_light() {
     let ball = "[[objects]]\nshape = \"sphere\"\ncenter = [0, 1.2, 0]\nradius = 0.6\ninterior = 1.5\n";
@@ -118,7 +118,7 @@ fn a_guide_changes_the_noise_and_not_the_light() {
     }
 }
 
-/// Whatever cuts a path into passes, and wherever a pixel's neighbors are.
+/// The result does not depend on the cuts of paths into passes, nor on the location of neighboring pixels.
 #[test]
 fn every_schedule_gives_the_same_bits() {
     let mut scene = scene(&room("kind = \"straight\"", [true, true], true).replace("samples = 256", "samples = 3"));
@@ -155,7 +155,7 @@ fn every_schedule_gives_the_same_bits() {
     }
 }
 
-/// Of a limit on scatterings the geometric sum is left, and the rest is counted.
+/// With a limit on scattering events the partial geometric sum remains, and the rest is counted.
 #[test]
 fn depth_cuts_paths() {
     let mut scene = scene(&furnace("kind = \"straight\"", "[0.3, 0.1, 0]", ""));
@@ -167,7 +167,7 @@ fn depth_cuts_paths() {
     assert_eq!(picture.totals.count(Status::Cut), picture.totals.rays);
 }
 
-/// Glass gives light no share of its own: before a sky that is the same everywhere it cannot be seen.
+/// Glass does not emit: in front of a uniform sky it is invisible.
 #[test]
 fn glass_under_an_even_sky_vanishes() {
     for interior in ["1.5", "{ kind = \"luneburg\", c = 2 }", "{ kind = \"constant\", n = 2.4 }"] {
@@ -183,7 +183,7 @@ fn glass_under_an_even_sky_vanishes() {
     }
 }
 
-/// The noise that is said is the noise that is there: of the same picture with other random numbers.
+/// The reported noise is the actual noise: the difference from an image with other random numbers.
 #[test]
 fn the_error_is_what_seeds_differ_by() {
     let text = room("kind = \"straight\"", [true, true], true)
@@ -202,7 +202,7 @@ fn the_error_is_what_seeds_differ_by() {
         0.2126 * band.color[0][i] + 0.7152 * band.color[1][i] + 0.0722 * band.color[2][i]
     };
     let apart: Vec<f32> = (0..errors.len()).map(|i| light(&a.band, i) - light(&b.band, i)).collect();
-    // Samples that are well spread err by less than as many independent ones.
+    // Stratified samples have smaller errors than independent ones.
     let share = squares(&apart) / (2.0 * squares(errors));
     assert!((0.1..1.3).contains(&share), "{share}");
 }
@@ -219,7 +219,7 @@ fn shipped_scenes_render() {
     }
 }
 
-/// What clamped samples lose is what the picture lacks; all schedules and tiles agree on it.
+/// The light that clamping removes is missing from the image; all schedules and tiles agree on it.
 #[test]
 fn what_clamped_samples_lose_is_counted() {
     let mut scene = scene(&room("kind = \"straight\"", [true, true], true).replace("samples = 256", "samples = 16"));

@@ -19,7 +19,7 @@ const HOLE: &str = "[image]\nsize = [96, 64]\n[camera]\nposition = [0, 2, 15]\n[
     [[objects]]\nshape = \"sphere\"\ncenter = [5, 0, -3]\nradius = 2\nmaterial = \"m\"\n\
     [[lights]]\nkind = \"point\"\nposition = [10, 10, 20]\n";
 
-/// At most 104 bytes a pixel, whatever the number of segments; layers and other schedules cost what `memory` says.
+/// State takes at most 104 bytes per pixel, whatever the number of segments; layers and other schedules cost extra memory.
 #[test]
 fn state_on_the_device_is_small() {
     for path in shipped_scenes() {
@@ -31,20 +31,20 @@ fn state_on_the_device_is_small() {
         };
         let fused = || ProgramOptions { schedule: Schedule::Fused, ..ProgramOptions::default() };
         let plain = bytes(&scene, &fused());
-        // W, where a path ends by τ, in two slots.
+        // W, if a path ends by τ, in two slots.
         let most = if scene.rays.max_parameter.is_some() { 104 + 2 * 16 } else { 104 };
-        assert!(plain <= most, "{}: {plain} bytes a pixel", path.display());
+        assert!(plain <= most, "{}: {plain} bytes per pixel", path.display());
         let layered = bytes(&scene, &ProgramOptions { layers: Layer::ALL.to_vec(), ..fused() });
-        // Depth, segments, object, status, steps and redshift at 4 bytes, two vectors at 12; the steps, rejections and lengths that are summed
-        // for them; and up to 12 bytes of padding before each vector and at the end.
+        // Depth, segments, object, status, steps and redshift at 4 bytes, two vectors at 12; the summed steps, rejections and lengths; and
+        // up to 12 bytes of padding before each vector and at the end.
         assert!(layered - plain <= 6 * 4 + 2 * 12 + 3 * 4 + 3 * 12, "{}: {layered}", path.display());
         scene.rays.max_segments = 100_000;
         assert_eq!(bytes(&scene, &fused()), plain);
-        // A path in one pass leaves nothing but its color, which takes as much as four numbers.
+        // A path in one pass only stores its color, which takes as much as four numbers.
         assert_eq!(bytes(&scene, &ProgramOptions::default()), 4 * 4, "{}", path.display());
         let masks = Schedule::Paper.masks();
         let paper = bytes(&scene, &ProgramOptions { schedule: Schedule::Paper, masks, ..ProgramOptions::default() });
-        assert!(paper <= most, "{}: {paper} bytes a pixel", path.display());
+        assert!(paper <= most, "{}: {paper} bytes per pixel", path.display());
     }
 }
 
@@ -53,7 +53,7 @@ fn rendered(scene: &Scene, settings: RenderSettings) -> Rendering {
     Renderer::new(&gpu, scene, settings).unwrap().render().unwrap()
 }
 
-/// The depth of bent rays is the length of their paths, as `trace` stores them, and the same for every schedule.
+/// The depth of bent rays is the length of their paths as `trace` writes them, and equal for every schedule.
 #[test]
 fn depth_is_the_length_of_the_path() {
     let scene = scene(HOLE);
@@ -88,7 +88,7 @@ fn depth_is_the_length_of_the_path() {
     }
 }
 
-/// Tiles of any size give the same picture, samples and layers with it.
+/// Tiles of any size give identical images, including samples and layers.
 #[test]
 fn tiles_do_not_show() {
     let mut scene = scene(HOLE);
@@ -104,7 +104,7 @@ fn tiles_do_not_show() {
     }
 }
 
-/// A sky of many rows, which goes to the device band by band, in 16 bits and in the 32 that its values need.
+/// A sky of many rows is copied to the device band by band, in 16 bits or in the 32 that its values need.
 #[test]
 fn a_large_sky_is_where_it_is_in_its_file() {
     const WIDTH: u32 = 1024;
@@ -132,7 +132,7 @@ fn a_large_sky_is_where_it_is_in_its_file() {
     }
 }
 
-/// Every ray is counted once, by how it ended.
+/// Every ray is counted once, by its termination status.
 #[test]
 fn every_ray_is_counted() {
     let mut scene = scene(HOLE);
@@ -145,7 +145,7 @@ fn every_ray_is_counted() {
     assert_eq!(picture.totals.unfollowed(), 0);
 }
 
-/// Multi-jittered samples converge: sixteen come nearer to sixty-four than four do.
+/// Multi-jittered samples converge: sixteen are closer to sixty-four than four are.
 #[test]
 fn samples_converge() {
     let mut scene = scene(HOLE);
@@ -158,8 +158,8 @@ fn samples_converge() {
     assert!(error(&more) < 0.7 * error(&few), "{} against {}", error(&more), error(&few));
 }
 
-/// The shadow of a hole seen from r = 20 by an observer at rest has the radius of the closed form,
-/// sin θ = 3√3 M √(1 − 2M/r)/r, to a pixel.
+/// For a static observer at r = 20 the shadow of a black hole has the radius of the closed form, sin θ = 3√3 M √(1 − 2M/r)/r, to within a
+/// pixel.
 #[test]
 fn the_shadow_has_its_size() {
     for (frame, sin2) in [
@@ -167,7 +167,7 @@ fn the_shadow_has_its_size() {
         // Coordinate directions: sin² θ = 27M²/(r² + 54M³/r).
         ("coordinate", 27.0 / (400.0 + 54.0 / 20.0)),
     ] {
-        // Vertical, for 3 rows; the picture is then as wide as it is far.
+        // Vertical, for 3 rows; the image is then as wide as it is distant.
         let fov = (2.0 * (1.5_f64 / 401.0).atan()).to_degrees();
         let text = format!(
             "[image]\nsize = [401, 3]\n[camera]\nposition = [0, 0, 20]\nfov = {fov}\nobserver = \"{frame}\"\n\
@@ -183,14 +183,14 @@ fn the_shadow_has_its_size() {
     }
 }
 
-/// A cylinder that is tilted and flattened, inside a ring, over a disk.
+/// A tilted and flattened cylinder, inside a ring, over a disk.
 const ROUND: &str = "[image]\nsize = [96, 72]\n[camera]\nposition = [1, 5, 12]\n[rays]\nbounding_sphere = { radius = 30 }\n\
     [materials.m]\nkind = \"emissive\"\ncolor = { checker = [[1, 0.2, 0.1], [0.1, 0.3, 0.9]] }\n\
     [[objects]]\nshape = \"cylinder\"\nradius = 1.5\nheight = 4\naxis = [1, 2, 1]\nscale = [1, 1, 0.5]\nmaterial = \"m\"\n\
     [[objects]]\nshape = \"disk\"\nradius = 4\ninner_radius = 2.5\nnormal = [0, 1, 0.3]\nmaterial = \"m\"\n\
     [[objects]]\nshape = \"disk\"\ncenter = [0, -3, 0]\nradius = 5\nmaterial = \"m\"\n";
 
-/// Every crossing of a line with an object's faces that lies on it, by where the line is at the planes and circles themselves.
+/// Returns the crossings of a line with an object's faces, from the points of the line on the planes and circles.
 fn crossings(object: &Object, from: DVec3, along: DVec3) -> Vec<f64> {
     let inverse = object.transform.0.inverse();
     let (p, d) = (inverse.transform_point3(from), inverse.transform_vector3(along));
@@ -206,7 +206,7 @@ fn crossings(object: &Object, from: DVec3, along: DVec3) -> Vec<f64> {
     mantle.chain([flat(1.0), flat(-1.0)].into_iter().filter(|t| rho(*t) <= 1.0)).collect()
 }
 
-/// Which object each pixel shows, against the nearest of all crossings.
+/// Compares the object in each pixel with the nearest of all crossings.
 #[test]
 fn cylinders_and_disks_are_where_they_are() {
     let scene = scene(ROUND);
@@ -231,8 +231,8 @@ fn cylinders_and_disks_are_where_they_are() {
     assert!(off <= 3, "{off} pixels differ");
 }
 
-/// The picture that the README opens with is the one that `make render` makes: compared small, in what the eye sees (sRGB
-/// values, whose steps look about alike), with room for the samples' noise.
+/// The first image of the README is the one that `make render` makes. Small copies are compared in sRGB values, whose steps are about
+/// equally visible, with a tolerance for the noise of the samples.
 #[test]
 fn the_readme_shows_what_is_rendered() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));

@@ -27,7 +27,7 @@ shape = "sphere"
 material = "white"
 "#;
 
-/// A device, and the progress of all work on it.
+/// Opens a device that reports the progress of all work.
 fn watched() -> (Gpu, Progress) {
     let progress = Progress::watched();
     (open().reporting(progress.clone()), progress)
@@ -63,7 +63,7 @@ fn tiles_that_end_are_reported_though_a_sample_is_one_submission() {
             let before = f64::from(rows) / 24.0;
             rows += band.rows;
             let (found, expected) = (rendered(&progress), f64::from(rows) / 24.0);
-            // Of an adaptive tile it is not known how much of its work there is until it has ended.
+            // In an adaptive tile the amount of work is unknown until it has ended.
             let is_adaptive = keys.contains("adaptive");
             assert!(
                 (found - expected).abs() < 1e-9 || is_adaptive && found > before && found <= expected,

@@ -379,7 +379,7 @@ fn prose_is_plain_english() {
         let read = || std::fs::read_to_string(path).unwrap();
         let is_test = name.starts_with("tests/");
         let proses = match path.extension().and_then(|extension| extension.to_str()) {
-            // Of tests, only the documentation of modules is checked so far.
+            // Of tests, only the documentation of modules is checked.
             Some("rs") if is_test => code(&module_docs(&read()), false),
             _ if is_test => continue,
             Some("md") => markdown(&read()),

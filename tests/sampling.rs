@@ -1,4 +1,4 @@
-//! Adaptive sampling: more samples where the picture needs them, the same in every schedule and tile, and nothing silent.
+//! Adaptive sampling: more samples where the image needs them, identical results in every schedule and tile, and every limit is reported.
 
 use bentray::program::{Layer, ProgramOptions, RaySkipping, Schedule};
 use bentray::render::{Adaptive, Plane, RenderSettings, Renderer, Rendering, Window};
@@ -6,7 +6,7 @@ use bentray::scene::Scene;
 
 use crate::support::{gpu, scene};
 
-/// A ball of glass and one of silver before a checkered wall, for a disk with nothing around it.
+/// A glass ball and a silver one in front of a checkered wall, in a circular image with nothing outside.
 const GLASS: &str = r#"
 [image]
 size = [20, 15]
@@ -46,7 +46,7 @@ size = [7, 5]
 material = "checkered"
 "#;
 
-/// A white ball of radius 5 seen by parallel rays, a unit of length a pixel.
+/// A white ball of radius 5 seen by parallel rays, one unit of length per pixel.
 const BALL: &str = r#"
 [image]
 size = [32, 24]
@@ -80,13 +80,13 @@ fn with_layers(layers: &[Layer]) -> RenderSettings {
     }
 }
 
-/// How many rays each pixel took, and what the totals say of them.
+/// Returns the number of rays of each pixel, and the totals.
 fn counts(picture: &Rendering) -> (&[u32], Adaptive) {
     let Some(Plane::Id(samples)) = picture.band.layer(Layer::Samples) else { panic!("no layer of samples") };
     (samples, picture.totals.adaptive.expect("an adaptive picture"))
 }
 
-/// Schedules with masks and without, and one fused pass for every two segments, give the same bits.
+/// Schedules with and without masks, and a fused pass for every two segments, give bit-identical results.
 #[test]
 fn adaptive_pictures_do_not_depend_on_the_schedule() {
     let scene = scene(GLASS);
@@ -115,7 +115,7 @@ fn adaptive_pictures_do_not_depend_on_the_schedule() {
     }
 }
 
-/// Alpha is 1 inside the disk and 0 outside, with what is between only on its rim, where there are more samples.
+/// Alpha is 1 inside the disk and 0 outside, with intermediate values only on its rim, where there are more samples.
 #[test]
 fn a_rim_has_more_samples() {
     let picture = rendered(&scene(GLASS), with_layers(&[Layer::Samples]));
@@ -126,7 +126,7 @@ fn a_rim_has_more_samples() {
     assert!(rim.len() > 10 && rim.iter().all(|(_, n)| **n > 1), "{rim:?}");
 }
 
-/// Tiles and crops show what the whole picture does, layers with it.
+/// Tiles and crops give the same result as the whole image, including layers.
 #[test]
 fn adaptive_tiles_do_not_show() {
     let scene = scene(GLASS);
@@ -144,7 +144,7 @@ fn adaptive_tiles_do_not_show() {
     }
 }
 
-/// Every ray is counted: those of the layer, and the corners at the picture's right and bottom edges.
+/// Every ray is counted: the samples of the layer, and the corners at the right and bottom edges of the image.
 #[test]
 fn the_layer_is_what_the_totals_say() {
     let picture = rendered(&scene(BALL), with_layers(&[Layer::Samples]));
@@ -158,7 +158,7 @@ fn the_layer_is_what_the_totals_say() {
     assert_eq!(picture.totals.adaptive, None);
 }
 
-/// Where nothing is to be seen, a ray a pixel is all.
+/// An empty image takes one ray per pixel.
 #[test]
 fn a_flat_picture_takes_the_corners_alone() {
     let text =
@@ -180,8 +180,8 @@ fn a_flat_picture_takes_the_corners_alone() {
     );
 }
 
-/// More samples are taken by just those pixels whose corners the ball's outline parts, and the picture is as good as one of 16
-/// samples everywhere.
+/// Only pixels with corners on both sides of the ball's outline take more samples, and the image is as good as one with 16 samples
+/// everywhere.
 #[test]
 fn an_edge_is_refined_and_nothing_else() {
     let adaptive = scene(BALL);
@@ -208,7 +208,7 @@ fn an_edge_is_refined_and_nothing_else() {
     assert!(own < sixteen && sums.mean() < 6.0, "{own} of {sixteen}, {sums}");
 }
 
-/// What no number of samples brings within the tolerance stops at the cap, and that is said.
+/// A pixel that cannot reach the tolerance stops at the maximum number of samples, and this is reported.
 #[test]
 fn the_cap_is_reported() {
     // Squares far smaller than a pixel: every sample is black or white.

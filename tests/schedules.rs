@@ -27,7 +27,7 @@ const VARIANTS: [&[&str]; 11] = [
     &["--schedule", "paper", "--no-early-termination"],
 ];
 
-/// One of each schedule, and one with passes that are cut short.
+/// One variant of each schedule, and one whose passes are cut short.
 const SCHEDULES: [&[&str]; 5] = [VARIANTS[0], VARIANTS[1], VARIANTS[5], VARIANTS[6], VARIANTS[9]];
 
 const SMALL: [&str; 4] = ["--size", "60x45", "--set", "rays.max_segments=120"];
@@ -42,7 +42,7 @@ fn rendered(scene: &Path, variant: &[&str], more: &[&str], folder: &Path) -> Vec
     std::fs::read(picture).unwrap()
 }
 
-/// With every mask; of most scenes the schedules say enough.
+/// Compares all variants, including every mask; for most scenes the schedules suffice.
 fn assert_all_the_same(scene: &Path, more: &[&str]) {
     assert_same(scene, &VARIANTS, more);
 }
@@ -66,7 +66,7 @@ fn shipped_scenes_do_not_depend_on_the_schedule() {
     }
 }
 
-/// Where nine rays of ten end in the first passes and the others go on, each with the ended ones about it, and where all go on.
+/// In one scene nine of ten rays end in the first passes and the others continue, each among terminated ones; in the other all continue.
 #[test]
 fn scattered_survivors_do_not_depend_on_the_schedule() {
     let gpu = gpu();
@@ -75,13 +75,13 @@ fn scattered_survivors_do_not_depend_on_the_schedule() {
         let scene = Scene::load(&path, &["image.size=[160, 120]".parse().unwrap()]).unwrap();
         let totals = Renderer::new(&gpu, &scene, RenderSettings::default()).unwrap().render().unwrap().totals;
         let share = totals.count(Status::Escaped) as f64 / totals.rays as f64;
-        assert!(survivors.contains(&share), "{}: {share} of the rays go on", path.display());
+        assert!(survivors.contains(&share), "{}: {share} of the rays continue", path.display());
         assert!(totals.segments as f64 > 100.0 * share * totals.rays as f64, "{totals}");
         assert_eq!(totals.unfollowed(), 0);
     }
 }
 
-/// Chords of several steps, where `paper` rotates three slots; controllers that remember; ṫ carried along.
+/// Chords of several steps, for which `paper` rotates three slots; controllers with memory; ṫ as a part of the state.
 #[test]
 fn methods_do_not_depend_on_the_schedule() {
     let hole = shipped_scenes().into_iter().find(|path| path.ends_with("fig4e_schwarzschild.toml")).unwrap();
@@ -105,7 +105,7 @@ fn methods_do_not_depend_on_the_schedule() {
     }
 }
 
-/// Curves in closed form, forces by arc length, Gröller's iteration, fans, and shadows of both kinds.
+/// Curves in closed form, forces by arc length, the Gröller iteration, custom surface laws, and shadows of both kinds.
 #[test]
 fn what_is_grollers_does_not_depend_on_the_schedule() {
     let scenes = scenes_in("scenes/groller");
@@ -128,7 +128,7 @@ fn what_is_grollers_does_not_depend_on_the_schedule() {
         let sets: Vec<&str> = keys.iter().flat_map(|key| ["--set", key]).chain(size).collect();
         assert_same(of(name), &SCHEDULES, &sets);
     }
-    // Where ended rays run along for thousands of segments a device may stop a lane before all of its pixels were followed.
+    // If terminated rays keep running for thousands of segments a device may stop a lane before all of its pixels are finished.
     let long = ["--size", "40x30", "--set", centre, "--set", steps];
     let folder = tempfile::tempdir().unwrap();
     let [first, other] =
@@ -136,7 +136,7 @@ fn what_is_grollers_does_not_depend_on_the_schedule() {
     assert!(first == other);
 }
 
-/// A hole before a checkered wall, with a ball beside it: some rays fall in, some meet one or the other, some escape.
+/// A black hole in front of a checkered wall, with a ball next to it: some rays fall in, some hit the wall or the ball, some escape.
 const HOLE: &str = r#"
 [image]
 size = [32, 24]
@@ -172,8 +172,8 @@ fn hole(folder: &Path) -> PathBuf {
     path
 }
 
-/// What controls remember (an error, a rate evaluated again), steps that are given by acceleration, by curvature and over
-/// chords, and all of it in 64 bits, where the state lies in buffers. (Of an even number of steps: these end in the third slot.)
+/// The memory of controls (an error, a rate that is evaluated again), steps by acceleration, by curvature and over chords, and all of this
+/// in 64 bits, where buffers store the state. (With an even number of steps, which end in the third slot.)
 #[test]
 fn what_is_kept_between_passes_is_all_that_matters() {
     let folder = tempfile::tempdir().unwrap();
@@ -199,7 +199,7 @@ fn what_is_kept_between_passes_is_all_that_matters() {
     }
 }
 
-/// Pairs of views, disks with nothing around them, and panoramas.
+/// Stereo pairs, disks with nothing around them, and panoramas.
 #[test]
 fn cameras_do_not_depend_on_the_schedule() {
     let folder = tempfile::tempdir().unwrap();
@@ -217,8 +217,8 @@ fn cameras_do_not_depend_on_the_schedule() {
     }
 }
 
-/// Paths of more steps than a pass has turns of loops: what `whole` cannot follow to its end is followed by `fused`, tile by tile,
-/// and nothing is counted twice.
+/// Paths of more steps than a pass has loop iterations: if `whole` cannot finish them `fused` continues, tile by tile, and nothing is
+/// counted twice.
 #[test]
 fn what_outlives_a_pass_is_followed_on() {
     let gpu = gpu();
@@ -236,7 +236,7 @@ fn what_outlives_a_pass_is_followed_on() {
     let [[fused, _], [whole, again]] = [Schedule::Fused, Schedule::Whole].map(render);
     assert!(fused.totals.steps > 20_000 * fused.totals.rays, "{}", fused.totals);
     assert_eq!(fused.totals.unfollowed(), 0, "{}", fused.totals);
-    // Numbers that were changed go over too.
+    // Modified settings are also passed on.
     let coarse = Scene { rays: Rays { control: scaled::with(0.1), ..scene.rays.clone() }, ..scene.clone() };
     let mut renderer = Renderer::new(&gpu, &coarse, tiled(Schedule::Whole)).unwrap();
     renderer.retune(scene.rays.control, scene.rays.max_segments).unwrap();
@@ -248,7 +248,7 @@ fn what_outlives_a_pass_is_followed_on() {
     }
 }
 
-/// Narrow pictures have workgroups of their own shape: a few columns are those of the whole.
+/// Narrow images have workgroups of a different shape: a few columns are identical to those of the whole.
 #[test]
 fn narrow_windows_are_columns_of_the_whole() {
     let (gpu, scene) = (gpu(), scene(HOLE));
@@ -282,14 +282,14 @@ fn in_16_bits_paper_and_segment_round_alike() {
         let pictures: Vec<Vec<u8>> = pictures.collect();
         assert!(pictures.iter().all(|picture| *picture == pictures[0]), "{variants:?} differ");
     };
-    // What is kept between passes is rounded: the same passes round alike.
+    // The state between passes is rounded, so identical passes round identically.
     let of = |wanted: &dyn Fn(&&[&str]) -> bool| VARIANTS.into_iter().filter(wanted).collect::<Vec<_>>();
     let is_fused = |variant: &&[&str]| variant.contains(&"fused") || variant.contains(&"whole");
     same(&of(&|variant| is_fused(variant) && !variant.contains(&"--segments-per-pass")));
     same(&of(&|variant| !is_fused(variant)));
 }
 
-/// How every ray ended in some precision, and where; the picture.
+/// Returns how and where every ray ended in this precision, and the image.
 fn ends(precision: &str) -> (Vec<u32>, Vec<DVec3>, Rendering) {
     let gpu = gpu();
     let scene = scene(&HOLE.replace("[rays]", &format!("[rays]\nprecision = \"{precision}\"")));
@@ -303,8 +303,8 @@ fn ends(precision: &str) -> (Vec<u32>, Vec<DVec3>, Rendering) {
     (statuses.clone(), places, picture)
 }
 
-/// 16 bits show what they lose: nearly all rays end as they should, but elsewhere, by some of 2⁻¹¹ of the bound; 32 bits lose
-/// thousands of times less.
+/// The loss of 16 bits is visible: nearly all rays have the correct status, but other ends, by a few 2⁻¹¹ of the bounding sphere; 32 bits
+/// lose thousands of times less.
 #[test]
 fn precisions_differ_by_their_bits() {
     let (truth, places, exact) = ends("f64");
@@ -318,7 +318,7 @@ fn precisions_differ_by_their_bits() {
         off.sort_by(f64::total_cmp);
         let median = off[off.len() / 2];
         println!("{precision}: {:.1} % of the rays end alike, half of them within {median:.1e}", 100.0 * same);
-        assert!(same >= alike && median > least && median < most, "{precision}: {same} alike, off by {median:e}");
-        assert!(precision != "f16" || picture.band.color != exact.band.color, "16 bits make the same picture");
+        assert!(same >= alike && median > least && median < most, "{precision}: {same} equal, off by {median:e}");
+        assert!(precision != "f16" || picture.band.color != exact.band.color, "16 bits give the same image");
     }
 }
