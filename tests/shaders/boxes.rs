@@ -1,4 +1,4 @@
-//! Boxes of the hierarchy, which no chord that meets them may miss.
+//! Boxes of the hierarchy, which no chord through them may miss.
 
 use glam::{DVec3, Vec3};
 
@@ -6,7 +6,7 @@ use super::triangles::{grown, probe};
 use super::{Random, awkward_directions, row, wide};
 use crate::support::gpu;
 
-/// Boxes, flat ones too, and pieces along axes, on faces and from far away: what f64 says is met is never missed.
+/// Checks boxes, including flat ones, and chords along axes, on faces and from far away: every hit in f64 is found.
 #[test]
 fn boxes_of_the_hierarchy_are_never_missed() {
     let mut random = Random::new(104);
@@ -19,7 +19,7 @@ fn boxes_of_the_hierarchy_are_never_missed() {
         }
         let hi = lo + size;
         let inside = lo + size * Vec3::new(random.unit() as f32, random.unit() as f32, random.unit() as f32);
-        // On a face, an edge or a corner now and then.
+        // Some chords meet a face, an edge or a corner.
         let aim = if k % 3 == 0 { inside } else { Vec3::select(random.vector(1.0, 1.0).cmpgt(Vec3::ZERO), lo, inside) };
         let d = if k % 2 == 0 { awkward_directions()[k % 61] } else { random.vector(1.0, 1.0) };
         let far = random.log(0.1, 1e4) as f32;

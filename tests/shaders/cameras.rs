@@ -13,7 +13,7 @@ use crate::support::{
 
 const RADIUS: f64 = 50.0;
 
-/// Looks along a slanted line, with a picture twice as wide as it is high; every number is exact in f32.
+/// Looks along a slanted line, with an image twice as wide as it is high; every number is exact in f32.
 fn camera(position: DVec3) -> (Record, [DVec3; 3]) {
     let axes = [DVec3::new(0.6, 0.0, -0.8), DVec3::new(0.8, 0.0, 0.6), DVec3::new(0.0, 0.5, 0.0)]
         .map(|v| v.as_vec3().as_dvec3());
@@ -32,7 +32,7 @@ fn pinhole_and_plane() {
     );
     let body =
         "let ray = arrived(camera_ray(p0.xy)); put(0u, vec4f(ray.x, f32(ray.status))); put(1u, vec4f(ray.d, 0.0));";
-    // Inside the bounding sphere, and outside, where most rays of the pinhole and some of the plane miss it.
+    // Positions inside the bounding sphere, and outside, where most rays of the pinhole and some orthographic rays miss it.
     for position in [DVec3::new(1.0, -2.0, 4.0), DVec3::new(-75.0, 8.0, 64.0)] {
         for kind in ["pinhole", "plane"] {
             let (record, [forward, right, up]) = camera(position);
@@ -93,11 +93,11 @@ fn pinhole_and_plane() {
 
 const PRECISIONS: [(&str, f64); 2] = [("real/f32", U), ("real/f64", U64)];
 
-/// Errors over their bounds, in some precision.
+/// The errors relative to their bounds, in one precision.
 struct Ratio {
     what: String,
     worst: f64,
-    /// Of the bound.
+    /// The error as a fraction of the bound.
     share: f64,
     at: String,
 }
@@ -122,8 +122,8 @@ impl Ratio {
     }
 }
 
-/// Sine and cosine of quarter turns, of which the whole ones are exact: what is left, at most π/4, is rounded twice; a sine has
-/// two roundings more, a cosine as many near 1.
+/// Sine and cosine of quarter turns. Whole quarter turns are exact; the remainder, at most π/4, is rounded twice. A sine has two more
+/// roundings, and a cosine has two near 1.
 #[test]
 fn quarter_turns() {
     let mut random = Random::new(142);
@@ -139,7 +139,7 @@ fn quarter_turns() {
         let mut errors = Ratio::of(format!("{real}: quarters_sin_cos"));
         for (q, output) in inputs.iter().zip(&out) {
             let (sine, cosine) = ((q - (q / 4.0).round() * 4.0) * std::f64::consts::FRAC_PI_2).sin_cos();
-            // The host's own π/2 and sine err by U64.
+            // On the CPU, π/2 and the sine err by U64.
             let got = DVec3::new(joined(output[0]), joined(output[1]), 0.0);
             errors.check(got, DVec3::new(sine, cosine, 0.0), 3.0 * u + 6.0 * U64, q);
         }
@@ -147,7 +147,7 @@ fn quarter_turns() {
     }
 }
 
-/// The whole picture, its middle and its neighborhood, edges and corners.
+/// The whole image, its center and the area around it, edges and corners.
 fn points(seed: u64) -> Vec<[Vec4; 1]> {
     let mut random = Random::new(seed);
     let mut all: Vec<[f64; 2]> = (0..3000).map(|_| [random.within(-1.0, 1.0), random.within(-1.0, 1.0)]).collect();
@@ -163,7 +163,7 @@ fn slanted() -> [DVec3; 3] {
         .map(|v| v.as_vec3().as_dvec3())
 }
 
-/// Directions of a camera over `points`, and whether there is a ray.
+/// Returns the directions of a camera at `points`, and whether there is a ray.
 fn directions(part: &str, real: &str, own: Record, inputs: &[[Vec4; 1]]) -> Vec<(DVec3, bool)> {
     let [forward, right, up] = slanted();
     let position = DVec3::new(1.0, -2.0, 4.0);
@@ -200,7 +200,8 @@ fn fisheye() {
                 let rho = p.x.hypot(p.y);
                 let angle = (rho * 0.5 * fov).to_radians();
                 let outwards = if rho > 0.0 { (p.x * right + p.y * up) / rho } else { DVec3::ZERO };
-                // ρ errs by 3 U of it, as do the angle's scale and product by one each; the axes' sum by 8 U.
+                // ρ has an error of 3 U, and the scale and the product of the angle have one rounding each; the sum of the axes errs by 8
+                // U.
                 let bound = 5.0 * u * angle + 8.0 * u;
                 errors.check(d, angle.cos() * forward + angle.sin() * outwards, bound, input);
                 if (rho - 1.0).abs() > 3.0 * u {
@@ -226,7 +227,7 @@ fn panorama() {
                 let [longitude, latitude] = [0, 1].map(|k| (f64::from(input[0][k]) * 0.5 * fov[k]).to_radians());
                 let level = longitude.cos() * forward + longitude.sin() * right;
                 let want = latitude.cos() * level + latitude.sin() * up;
-                // Each angle's scale and product err by one U of it, the axes' sum by 10 U.
+                // The scale and the product of each angle have one rounding each; the sum of the axes errs by 10 U.
                 errors.check(d, want, 2.0 * u * (longitude.abs() + latitude.abs()) + 10.0 * u, input);
                 assert!(there);
             }
@@ -235,7 +236,7 @@ fn panorama() {
     }
 }
 
-/// Eyes see each point of the plane or sphere at which their views cross where the camera between them does.
+/// Both eyes see each point of the plane or sphere of convergence in the position where the camera between them sees it.
 #[test]
 fn eyes() {
     let mut random = Random::new(145);
@@ -273,8 +274,8 @@ fn eyes() {
                     starts.check(joined3(&rows[..3]), position + offset, 4.0 * u, input);
                     let towards = position + reach * d - (position + offset);
                     let want = if part == "camera/eyes/parallel" { d } else { towards.normalize() };
-                    // The dot product errs by 3 U of 1 beside `ahead`, the point by that and 4 U more of its distance, of which
-                    // what is left is at least 2; normalising by 4 U.
+                    // The dot product errs by 3 U, relative to 1 and divided by `ahead`; the point errs by that and 4 U more of its
+                    // distance, of which at least 2 remains; normalizing errs by 4 U.
                     let bound = (3.0 / ahead.abs().min(1.0) + 4.0) * u * reach / towards.length() + 4.0 * u;
                     directions.check(joined3(&rows[3..]), want, bound, input);
                 }

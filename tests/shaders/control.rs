@@ -11,7 +11,7 @@ use crate::support::{
     probe::{Probe, Record},
 };
 
-/// A ray with tau, h, and counts 3, 10, 20; what the control makes of it, and the same step retaken.
+/// A ray with tau, h, and counts 3, 10, 20; the result of the control, and the same step retaken.
 pub const CONTROL: &str = "let ray = Ray(Phase(p0.xyz, p1.xyz), p0.w, 0.0, Memory(p1.w), 9.0, 3u, 10u, 20u, ALIVE);
     let next = accepted_step(ray);
     let again = retaken_step(ray.phase, next.taken);
@@ -38,7 +38,7 @@ fn doubling() -> Record {
     vec![("tolerance", Float(TOLERANCE)), ("grow_below", Float(GROW_BELOW)), ("eta", Float(ETA))]
 }
 
-/// Rays round a hole, with sizes to try from tiny to more than the cap allows.
+/// Returns rays around a black hole, with first step sizes from tiny to above the cap.
 pub fn rays(seed: u64) -> Vec<[Vec4; 2]> {
     let mut random = Random::new(seed);
     (0..3000)
@@ -53,7 +53,7 @@ pub fn rays(seed: u64) -> Vec<[Vec4; 2]> {
 
 type Scheme = fn(fn(Phase) -> Phase, Phase, f64) -> Phase;
 
-/// Two half steps, and their relative difference from a whole one.
+/// Returns the result of two half steps, and its relative difference from that of a whole step.
 fn doubled(scheme: Scheme, p: Phase, h: f64) -> (Phase, f64) {
     let whole = scheme(path_rate, p, h);
     let halves = scheme(path_rate, scheme(path_rate, p, 0.5 * h), 0.5 * h);
@@ -62,10 +62,10 @@ fn doubled(scheme: Scheme, p: Phase, h: f64) -> (Phase, f64) {
     (halves, ((halves[0] - whole[0]).length() / scale + (halves[1] - whole[1]).length()) / speed)
 }
 
-/// Rounding in a measured difference, relative to x and v (steps.rs has the bound on a step; h ≤ η r).
+/// The rounding error of a measured difference, relative to x and v (steps.rs has the bound on a step; h ≤ η r).
 const NOISE: f64 = 60.0 * U;
 
-/// What every rule does besides choosing h: place, path parameter, counts, and the same bits when retaken.
+/// Checks that are common to all controls: position, path parameter, counts, and identical bits when a step is retaken.
 pub struct Kept {
     ends: Errors,
     taus: Errors,
@@ -79,7 +79,7 @@ impl Kept {
     pub fn check(&mut self, input: &[Vec4; 2], output: &[Vec4; 5], end: Phase) {
         let taken = output[2].x;
         let r = f64::from(input[0].truncate().length());
-        // A step's own rounding, and r enters with r/2 at the least.
+        // The rounding error of a step, in which r occurs as r/2 or larger.
         self.ends.check3(output[0], end[0], NOISE * r, input);
         self.ends.check3(output[1], end[1], NOISE, input);
         self.taus.check(output[0].w, f64::from(input[0].w) + f64::from(taken), U * f64::from(output[0].w), input);
@@ -112,7 +112,7 @@ fn the_papers_doubling() {
     for (input, output) in inputs.iter().zip(&out) {
         let p = [wide(input[0]), wide(input[1])];
         let taken = f64::from(output[2].x);
-        // The first step is small, for none is taken back.
+        // The first step is small, because no step is repeated.
         let first = 1e-3 * ETA * p[0].length() / p[1].length();
         sizes.check(output[2].x, capped(input), 6.0 * U * taken, input);
         sizes.check(output[3].w, first, 6.0 * U * first, input);
@@ -130,7 +130,7 @@ fn the_papers_doubling() {
         *count += 1;
         assert_eq!(output[1].w, output[2].x * factor, "error {error:e} at {input:?}");
         let over = if error > TOLERANCE { 21.0 } else { 20.0 };
-        assert_eq!(output[2].w, over, "what is kept over the tolerance is counted");
+        assert_eq!(output[2].w, over, "accepted errors above the tolerance are counted");
     }
     println!("the paper's doubling: {grown} grow, {same} stay, {shrunk} shrink, {open} for rounding to decide");
     assert!(grown.min(shrunk).min(same) > 150 && open < 150);
@@ -142,7 +142,8 @@ fn factor(error: f64, order: f64) -> f64 {
     (0.9 * (TOLERANCE / error).powf(1.0 / (order + 1.0))).clamp(0.2, 5.0)
 }
 
-/// The rule in f64: the size taken, its error, how many tries failed, and whether a try was too close to call.
+/// Returns the result of the rule in f64: the accepted size, its error, the number of rejected tries, and whether a try was too close to
+/// decide.
 fn tried(scheme: Scheme, order: f64, p: Phase, mut h: f64) -> (f64, f64, u32, bool) {
     let mut close = false;
     for rejected in 0..16 {
@@ -195,7 +196,7 @@ fn doubling_that_rejects() {
     }
 }
 
-/// What is not a number is not accepted, moves nothing, and the tries end.
+/// If a step gives NaN or infinity it is rejected, the ray stays in place, and the tries end.
 #[test]
 fn a_ray_that_no_try_moves() {
     let inputs: Vec<[Vec4; 2]> = [Vec4::new(f32::NAN, 1.0, 0.0, 0.5), Vec4::new(f32::INFINITY, 1.0, 0.0, 0.5)]

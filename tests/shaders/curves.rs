@@ -14,7 +14,7 @@ const BOX: [DVec3; 2] = [DVec3::new(-3.0, -2.0, -1.0), DVec3::new(1.0, 2.0, 4.0)
 
 const SEGMENT: &str = "let s = Segment(p0.xyz, p1.xyz, p2.xyz, p3.xyz, p0.w);\n";
 
-/// An arc's ends, tangents and extent.
+/// The ends, tangents and extent of an arc.
 struct Hermite {
     x0: DVec3,
     c: DVec3,
@@ -32,20 +32,20 @@ impl Hermite {
         Self { x0, c, a: h * v0 - c, b: c - h * v1, size }
     }
 
-    /// By the basis polynomials of the textbooks.
+    /// Returns a point by the standard Hermite basis polynomials.
     fn point(&self, t: f64) -> DVec3 {
         let (p0, p1, m0, m1) = (self.x0, self.x0 + self.c, self.a + self.c, self.c - self.b);
         let (t2, t3) = (t * t, t * t * t);
         (2.0 * t3 - 3.0 * t2 + 1.0) * p0 + (t3 - 2.0 * t2 + t) * m0 + (3.0 * t2 - 2.0 * t3) * p1 + (t3 - t2) * m1
     }
 
-    /// How far a chord over 1/n of it may be from it: an eighth of its second derivative's largest, which is at an end.
+    /// Returns a bound on the distance of a chord over 1/n of the arc: an eighth of the largest second derivative, which is at an end.
     fn chord_error(&self, n: f64) -> f64 {
         (4.0 * self.a - 2.0 * self.b).length().max((2.0 * self.a - 4.0 * self.b).length()) / (8.0 * n * n)
     }
 }
 
-/// Arcs that bend one way, arcs that bend both ways, straight ones, and ones that stand still.
+/// Returns arcs that bend one way, arcs that bend both ways, straight ones, and ones of zero length.
 fn arcs(seed: u64, count: usize) -> Vec<[Vec4; 4]> {
     let mut random = Random::new(seed);
     (0..count)
@@ -118,7 +118,7 @@ fn arcs_are_hermite_curves() {
     }
 }
 
-/// The largest distance of the curve from n chords over it, sampled.
+/// Returns the largest sampled distance of the curve from n chords.
 fn chord_distance(curve: &Hermite, n: f64) -> f64 {
     let mut worst = 0.0_f64;
     for k in 0..n as u32 {
@@ -167,7 +167,7 @@ fn arcs_far_from_the_scene_have_no_pieces() {
     assert!(inside > 400 && skipped > 400);
 }
 
-/// Spheres met by the curve itself: they may be found up to the chords' tolerance sooner, later or not at all.
+/// Compares with hits of the curve itself: the chords may be hit earlier, later or not at all, up to their tolerance.
 #[test]
 fn first_hit_of_arcs_in_several_pieces() {
     let spheres =
@@ -175,7 +175,7 @@ fn first_hit_of_arcs_in_several_pieces() {
     let mut inputs = arcs(73, 6000);
     let mut random = Random::new(74);
     for (k, input) in inputs.iter_mut().enumerate() {
-        // Moved so that they pass near a sphere.
+        // The curves pass near a sphere.
         let (center, radius) = spheres[k % 3];
         let shift = (center + random.direction() * radius * random.within(0.0, 1.5)).as_vec3()
             - (0.5 * (input[0] + input[2])).truncate();
@@ -239,7 +239,7 @@ fn first_hit_of_arcs_in_several_pieces() {
     gaps.report();
 }
 
-/// Where the curve first crosses a sphere, in or out, by small steps and bisection.
+/// Returns the first crossing of the curve with a sphere, inward or outward, by small steps and bisection.
 fn first_crossing(curve: &Hermite, spheres: &[(DVec3, f64)], grown: f64) -> Option<f64> {
     let gap = |t: f64, s: &(DVec3, f64)| (curve.point(t) - s.0).length() - s.1 - grown;
     for k in 0..256 {

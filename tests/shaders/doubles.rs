@@ -1,8 +1,8 @@
-//! Tests the elementary functions of `real/f64.wgsl` against the functions of the host, which err by less than one unit in
-//! the last place (2.2e-16 of the result).
+//! Tests the elementary functions of `real/f64.wgsl` against those of the standard library, which err by less than one unit in the last
+//! place (2.2e-16 of the result).
 //!
-//! Each bound is the sum of one rounding of the last operation (1.1e-16), the rounding of the last term added, and the error
-//! of the host.
+//! Each bound is the sum of one rounding of the last operation (1.1e-16), the rounding of the last term added, and the error of the
+//! standard library.
 
 use glam::Vec4;
 
@@ -14,7 +14,7 @@ fn functions() -> Probe {
     Probe::new(&["real/f64"])
 }
 
-/// The largest error, and where.
+/// The largest error, and its location.
 struct Worst {
     what: &'static str,
     error: f64,
@@ -27,7 +27,7 @@ impl Worst {
     }
 
     fn see(&mut self, error: f64, at: impl FnOnce() -> String) {
-        // What is not a number is the worst of all, and stays so.
+        // NaN is the largest error, and remains so.
         if error > self.error || error.is_nan() {
             (self.error, self.at) = (error, at());
         }
@@ -39,8 +39,8 @@ impl Worst {
     }
 }
 
-/// A function of one number at each of the inputs: (input, answer, host's answer), both answers times the same power of two, so
-/// that f32 can carry them.
+/// Evaluates a function of one number at each of the inputs, as (input, answer, expected answer). Both answers are scaled by the same power
+/// of two to fit into f32.
 fn at_each(call: &str, inputs: &[f64], wanted: impl Fn(f64) -> f64) -> Vec<(f64, f64, f64)> {
     let scales: Vec<f32> = inputs.iter().map(|x| scale_of(wanted(*x))).collect();
     let rows: Vec<[Vec4; 2]> = inputs.iter().zip(&scales).map(|(x, s)| [split(*x), Vec4::splat(*s)]).collect();
@@ -50,13 +50,13 @@ fn at_each(call: &str, inputs: &[f64], wanted: impl Fn(f64) -> f64) -> Vec<(f64,
     inputs.iter().zip(&scales).map(want).zip(out).map(|((x, want), [got])| (x, got, want)).collect()
 }
 
-/// Relative: 1 + (r + r² p) rounds to 1.1e-16 of a result of 0.7 at the least, and what is added to 1 to half of that.
+/// Relative: 1 + (r + r² p) rounds to 1.1e-16 of a result of at least 0.7, and the term added to 1 rounds to half of that.
 #[test]
 fn exp_in_64_bits() {
     let mut random = Random::new(3);
     let mut inputs: Vec<f64> = (0..20_000).map(|_| random.within(-700.0, 700.0)).collect();
     inputs.extend((0..2000).map(|_| random.log(1e-300, 1.0) * (random.unit() - 0.5).signum()));
-    // The borders between powers of two, and both sides of them.
+    // The borders between powers of two, and their neighbors.
     for k in -1000..1000 {
         let border = (f64::from(k) + 0.5) * std::f64::consts::LN_2;
         inputs.extend([border.next_down(), border, border.next_up()]);
@@ -69,12 +69,12 @@ fn exp_in_64_bits() {
     worst.report(4e-16);
 }
 
-/// Where the result is not a number of f64 any more it is what comes next: infinity, and 0.
+/// Results outside the range of f64 are infinity and 0.
 #[test]
 fn exp_overflows_and_underflows() {
     let inputs = [709.7, 709.9, 720.0, 750.0, 1e5, 1e300, f64::INFINITY, -746.0, -1e4, -1e300, f64::NEG_INFINITY];
     let rows: Vec<[Vec4; 1]> = inputs.iter().map(|x| [split(*x)]).collect();
-    // Two factors, for 2⁻¹⁰²⁴ is not normal.
+    // There are two factors, because 2⁻¹⁰²⁴ is not normal.
     let body =
         "put_real(0u, times(times(real_exp(real(p0)), 1.0 / 18446744073709551616.0), 1.0 / 18446744073709551616.0));";
     let out = answers::<1, 1>(functions(), &gpu(), body, &rows);
@@ -95,7 +95,7 @@ fn log_in_64_bits() {
         let border = std::f64::consts::SQRT_2 * power;
         inputs.extend([power.next_down(), power, power.next_up(), border.next_down(), border, border.next_up()]);
     }
-    // Past these the exponent is brought within f32's range.
+    // Beyond these numbers the exponent is brought into the range of f32.
     for border in
         [1.329_227_995_784_916e36, 7.523_163_845_262_64e-37, 2.348_542_582_773_833_2e108, 4.257_959_840_008_151e-109]
     {
@@ -108,19 +108,19 @@ fn log_in_64_bits() {
         worst.see(if want == 0.0 { got.abs() } else { (got - want).abs() / want.abs() }, || format!("{x:e}"));
     }
     worst.report(4e-16);
-    // Nothing is smaller than 0, to real_exp at the least.
+    // The logarithm of 0 is so low that real_exp gives 0.
     let [(_, got, _)] = at_each("real_log(real(p0))", &[0.0], |_| 1.0)[..] else { panic!("one answer") };
     assert!(got < -745.2, "ln 0 is {got}");
 }
 
-/// Absolute: the sum of r and its series rounds to 1.1e-16 at most, the series' sum to a fifth of that.
+/// Absolute: the sum of r and its series rounds to at most 1.1e-16, and the sum of the series to a fifth of that.
 #[test]
 fn sines_and_cosines_in_64_bits() {
     let mut random = Random::new(5);
     let mut inputs: Vec<f64> = (0..20_000).map(|_| random.within(-1000.0, 1000.0)).collect();
     inputs.extend((0..5000).map(|_| random.within(-1e6, 1e6)));
     inputs.extend((0..1000).map(|_| random.log(1e-300, 1e-3)));
-    // Zeros of both, and the borders between quarters.
+    // Zeros of both functions, and the borders between quarters.
     for k in -1000..1000 {
         let angle = f64::from(k) * std::f64::consts::FRAC_PI_4;
         inputs.extend([angle.next_down(), angle, angle.next_up()]);
@@ -139,7 +139,7 @@ fn sines_and_cosines_in_64_bits() {
     cosines.report(3e-16);
 }
 
-/// Absolute, of angles up to π (4.4e-16 in its last place).
+/// Absolute, for angles up to π (4.4e-16 in the last place).
 #[test]
 fn arc_tangent_in_64_bits() {
     let mut random = Random::new(6);
@@ -148,7 +148,7 @@ fn arc_tangent_in_64_bits() {
         let (y, x) = random.within(-std::f64::consts::PI, std::f64::consts::PI).sin_cos();
         let size = random.log(1e-300, 1e300);
         inputs.push([size * y, size * x]);
-        // Components of unlike sizes, and the borders between the octants' parts.
+        // Components of very different sizes, and the borders between the intervals of octants.
         inputs.push([y * random.log(1e-300, 1e300), x * random.log(1e-300, 1e300)]);
         let slope = [2.0_f64.sqrt() - 1.0, 1.0, 2.0_f64.sqrt() + 1.0][(random.unit() * 3.0) as usize];
         inputs.push([slope * random.within(1.0 - 1e-14, 1.0 + 1e-14) * y.signum(), x.signum()]);
@@ -160,14 +160,14 @@ fn arc_tangent_in_64_bits() {
     let out = answers::<2, 1>(functions(), &gpu(), "put_real(0u, arc_tangent(real(p0), real(p1)));", &rows);
     let mut worst = Worst::of("atan2");
     for ([y, x], [angle]) in inputs.iter().zip(&out) {
-        // −0 counts as 0: the two ends of the cut are the same direction, and (0, 0) has the angle 0.
+        // −0 counts as 0: both ends of the branch cut are the same direction, and (0, 0) has the angle 0.
         let want = if *x == 0.0 && *y == 0.0 { 0.0 } else { (y + 0.0).atan2(*x) };
         worst.see((angle - want).abs(), || format!("({y:e}, {x:e})"));
     }
     worst.report(5e-16);
 }
 
-/// The probe's way in and out of 64 bits loses nothing.
+/// Conversion to and from 64 bits in the probe is lossless.
 #[test]
 fn numbers_of_64_bits_pass_whole() {
     let mut random = Random::new(8);
@@ -180,10 +180,10 @@ fn numbers_of_64_bits_pass_whole() {
     assert!(inputs.iter().zip(host).all(|(x, y)| times(*x, scale_of(*x)) == y));
 }
 
-/// What f32 has no number for is not finite; every number that f32 has is.
+/// Numbers outside the range of f32 count as infinite, and every number inside it as finite.
 #[test]
 fn finite_in_64_bits_ends_where_f32_does() {
-    // Halfway from f32's largest number to the next power of two, where rounding to it ends.
+    // Halfway from the largest number of f32 to the next power of two, where rounding down to it ends.
     let border = 3.402_823_567_797_336_6e38;
     let cases = [(0.0, true), (1e-300, true), (-3.4e38, true), (f64::next_down(border), true), (border, false)];
     let more = [(1e39, false), (-1e300, false), (f64::MAX, false), (f64::INFINITY, false), (f64::NEG_INFINITY, false)];

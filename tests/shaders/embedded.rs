@@ -1,4 +1,4 @@
-//! Embedded pairs under their controller, against DOPRI5's own rule (Hairer, Nørsett, Wanner I, §II.4 and the code) in f64.
+//! Embedded pairs with their controller, compared with the rule of DOPRI5 (Hairer, Nørsett, Wanner I, §II.4 and the code) in f64.
 
 use bentray::model::Value::{Float, Vec3 as V3};
 use glam::{DVec3, Vec4};
@@ -12,8 +12,7 @@ use crate::support::{gpu, probe::Probe};
 const ETA: f64 = 0.5;
 const LENGTH: f64 = 10.0;
 
-/// A ray with tau and h, which remembers an error (p2.x) and the rate at its place, or p2.y where p2.z says so; the same step
-/// retaken.
+/// A ray with tau and h, the error of the last step (p2.x), and the rate at its position, or p2.y if p2.z is set; the same step retaken.
 const CONTROL: &str = "let phase = Phase(Real3(p0.xyz), Real3(p1.xyz));
     var rate = law_derivative(phase);
     if p2.z != 0.0 {
@@ -38,7 +37,7 @@ const CONTROL: &str = "let phase = Phase(Real3(p0.xyz), Real3(p1.xyz));
 
 type Input = [Vec4; 3];
 
-/// What one accepted step puts out; `ends` are its own, and that of the same step retaken.
+/// The output of one accepted step; `ends` are its end, and that of the same step retaken.
 struct Output {
     ends: [[DVec3; 2]; 2],
     tau: f64,
@@ -62,17 +61,17 @@ impl Output {
             rejected: f64::from(rejected) - 20.0,
             first: joined(rows[12]),
         };
-        assert_eq!(steps - 10.0, if out.taken == 0.0 { 0.0 } else { 1.0 }, "steps count what is accepted");
-        // Another pass evaluates the rate that is remembered again, and must come to the same to the last bit.
-        assert!(out.taken == 0.0 || rows[11].x == 1.0, "the rate at the end differs from the one remembered");
+        assert_eq!(steps - 10.0, if out.taken == 0.0 { 0.0 } else { 1.0 }, "accepted steps are counted");
+        // A later pass evaluates the stored rate again, and must get identical bits.
+        assert!(out.taken == 0.0 || rows[11].x == 1.0, "the rate at the end differs from the stored one");
         out
     }
 }
 
-/// What one step may have of the tolerance.
+/// The largest fraction of the tolerance in one step.
 const SHARE: f64 = 0.1;
 
-/// A pair in one precision, under a tolerance that rejects some steps and lets most through.
+/// A pair in one precision, under a tolerance that rejects some steps and accepts most.
 #[derive(Clone, Copy)]
 struct Setting {
     part: &'static str,
@@ -115,33 +114,35 @@ impl Setting {
         rows.iter().map(Output::read).collect()
     }
 
-    /// The end of a step, with the bounds on its rounding errors; its error in units of the tolerance, and how far off that is.
+    /// Returns the end of a step with bounds on its rounding errors, and its error in units of the tolerance with a bound on its own error.
     fn step(&self, input: &Input, h: f64) -> ([Rough; 2], [f64; 2]) {
         let p = [0, 1].map(|k| Rough::exact(wide(input[k]), self.unit));
         let [end, error, _] = self.pair.step(|p| rate_of(rough_bend, p), p, h);
         let (r, speed) = (p[0].value.length(), p[1].value.length());
         let scaled = |x: f64, v: f64| (x * speed / r + v) / (speed * SHARE * self.tolerance);
         let size = scaled(error[0].value.length(), error[1].value.length());
-        // Lengths, scale and quotients err by 12 U, and the error is cut to f32.
+        // Lengths, scale and quotients err by 12 U, and the error is rounded to f32.
         (end, [size, scaled(error[0].bound(), error[1].bound()) + size * (12.0 * self.unit + U)])
     }
 
-    /// DOPRI5's FAC11.
+    /// Returns FAC11 of DOPRI5.
     fn factor(&self, error: f64) -> f64 {
         error.max(1e-10).powf(1.0 / self.order - 0.04 * 0.75)
     }
 
-    /// What the step that follows an accepted one is divided by, if no try was rejected.
+    /// Returns the divisor of the step size after an accepted step, if no try was rejected.
     fn pi(&self, error: f64, last: f64) -> f64 {
         (self.factor(error) / last.powf(0.04) / 0.9).clamp(1.0 / 10.0, 1.0 / 0.2)
     }
 
-    /// How far off a quotient of sizes is: each pow by 1e-4 (lavapipe's log errs by 3e-5), and the error's own part in it.
+    /// Returns the relative error of a quotient of sizes: 1e-4 per power (lavapipe's log errs by 3e-5), and the effect of the error
+    /// estimate.
     fn unsure(&self, [error, off]: [f64; 2]) -> f64 {
         2e-4 + off / error.max(1e-10) / self.order
     }
 
-    /// The size that is accepted, how many tries failed before, how far off the size is, and whether one was too close to call.
+    /// Returns the accepted size, the number of rejected tries, a bound on the relative error of the size, and whether a try was too close
+    /// to decide.
     fn tried(&self, input: &Input, first: f64) -> (f64, f64, f64, bool) {
         let (mut h, mut slack, mut close) = (first, 8.0 * self.unit, false);
         for rejected in 0..16 {
@@ -158,7 +159,7 @@ impl Setting {
     }
 }
 
-/// Rays round a hole, with sizes to try from tiny to more than the cap allows, and errors remembered that DOPRI5 may have.
+/// Returns rays around a black hole, with first step sizes from tiny to above the cap, and stored errors in the range of DOPRI5.
 fn inputs(seed: u64) -> Vec<Input> {
     let mut random = Random::new(seed);
     (0..3000)
@@ -179,7 +180,7 @@ fn close_to(got: f64, want: f64, relative: f64) -> bool {
     (got - want).abs() <= relative * want.abs()
 }
 
-/// What an accepted step leaves: its end and tau, the error it remembers, and the size of the next.
+/// Checks the result of an accepted step: its end and tau, the stored error, and the next size.
 fn check_accepted(setting: &Setting, input: &Input, out: &Output) {
     let (end, [error, off]) = setting.step(input, out.taken);
     for (got, want) in out.ends.iter().flat_map(|of| of.iter().zip(&end)) {
@@ -187,7 +188,7 @@ fn check_accepted(setting: &Setting, input: &Input, out: &Output) {
     }
     assert!(close_to(out.tau, f64::from(input[0].w) + out.taken, setting.unit), "tau at {input:?}");
     assert!(error <= 1.0 + off, "accepted with {error} of the tolerance at {input:?}");
-    // The error is an f32, and so is what it is at the least.
+    // The error is an f32, and so is its lower limit.
     let remembered = error.max(1e-4);
     assert!((out.error - remembered).abs() <= off + U * remembered, "{} for {remembered} at {input:?}", out.error);
     let free = out.taken / setting.pi(error, f64::from(input[2].x));
@@ -225,8 +226,8 @@ fn the_controller_is_dopri5s() {
     }
 }
 
-/// What is not a number is not accepted, moves nothing, and the tries end: where the ray is no place, where the law has no
-/// rate there, and where the rate that is remembered is none. A ray that was finite has then no velocity any more: it failed.
+/// A step with NaN or infinity is rejected, the ray stays in place, and the tries end: at an invalid position, where the law has no rate,
+/// and for an invalid stored rate. A ray that was finite then loses its velocity and fails.
 #[test]
 fn a_ray_that_no_try_moves() {
     let v = Vec4::new(1.0, 0.0, 0.0, 1.0);
@@ -239,7 +240,7 @@ fn a_ray_that_no_try_moves() {
     for setting in [SHAMPINE, PRINCE, in_64_bits(PRINCE)] {
         for (input, out) in inputs.iter().zip(&setting.run(false, &inputs)) {
             assert_eq!((out.taken, out.rejected, out.tau), (0.0, 16.0, 0.5), "{input:?}");
-            assert_eq!((out.h, out.error), (1.0, 0.25), "what was remembered stays");
+            assert_eq!((out.h, out.error), (1.0, 0.25), "the memory does not change");
             let same = |a: f64, b: f32| a == f64::from(b) || (a.is_nan() && b.is_nan());
             let velocity = out.ends[0][1];
             let kept = if input[0].is_finite() { !velocity.is_finite() } else { velocity == wide(input[1]) };
@@ -248,7 +249,7 @@ fn a_ray_that_no_try_moves() {
     }
 }
 
-/// The first try is not longer than what is left of the path, and what follows is as for any other.
+/// The first try is not longer than the rest of the path, and later ones follow the usual rule.
 #[test]
 fn the_last_step_is_shortened_to_the_length() {
     let mut inputs = inputs(72);

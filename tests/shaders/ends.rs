@@ -1,4 +1,4 @@
-//! Tests the starts and ends of rays: the static observer's frame, the bounding sphere, capture.
+//! Tests the starts and ends of rays: the frame of the static observer, the bounding sphere, capture.
 
 use bentray::model::Value::{Float, Vec3 as V3};
 use glam::{DVec3, Vec3, Vec4};
@@ -9,7 +9,7 @@ use crate::support::{
     probe::{Probe, about_a_point},
 };
 
-/// EQUATIONS 4: v = d⊥ + √(1 − 2M/r) (d·n̂) n̂, whose length by the hole's metric is that of d.
+/// EQUATIONS 4: v = d⊥ + √(1 − 2M/r) (d·n̂) n̂, whose length by the black hole's metric equals the length of d.
 #[test]
 fn static_observer() {
     let center = Vec3::new(-0.5, 2.0, 1.0);
@@ -29,7 +29,7 @@ fn static_observer() {
         let (x, d) = (wide(input[0]) - center.as_dvec3(), wide(input[1]));
         let (r, n) = (x.length(), x.normalize());
         let f = 1.0 - 2.0 / r;
-        // 1 − 2M/r errs by 4 U of 1, its root by that over 2√f; n̂ and the products by 8 U.
+        // 1 − 2M/r errs by 4 U of 1, and its root by that over 2√f; n̂ and the products err by 8 U.
         let bound = U * (12.0 + 4.0 / f.sqrt());
         errors.check3(*v, d - d.dot(n) * n + f.sqrt() * d.dot(n) * n, bound, input);
         let v = wide(*v);
@@ -44,7 +44,7 @@ fn static_observer() {
 const BOUND: f64 = 50.0;
 const MIDDLE: Vec3 = Vec3::new(3.0, -2.0, 7.0);
 
-/// Where the line enters the sphere of radius R: 0 from inside, none if never.
+/// Returns the distance at which the line enters the sphere of radius R: 0 from inside, `None` if it never does.
 fn entry(x: DVec3, v: DVec3, radius: f64) -> Option<f64> {
     let b = x.dot(v);
     if x.length() <= radius {
@@ -74,7 +74,7 @@ fn bounding_sphere() {
     let (mut open, mut entered) = (0, 0);
     for (input, [got]) in inputs.iter().zip(&out) {
         let (x, v) = (wide(input[0]) - MIDDLE.as_dvec3(), wide(input[1]));
-        // The nearest point errs by 10 U of |x − c|: so may the sphere's radius.
+        // The nearest point errs by 10 U of |x − c|, and so may the radius of the sphere.
         let moved = 10.0 * U * (x.length() + BOUND);
         let [grown, shrunk] = [1.0, -1.0].map(|s| entry(x, v, BOUND + s * moved));
         match (grown, shrunk) {
@@ -129,7 +129,7 @@ fn capture_spheres() {
         }
         let nearest = each.iter().fold(each[0], |a, b| if b.0 < a.0 { *b } else { a });
         gaps.check(gap.w, nearest.0, 8.0 * U * x.length() + 4.0 * U, input);
-        // Between two spheres either may be the nearest.
+        // Near the middle between two spheres either may be the nearest.
         if each.iter().filter(|(gap, ..)| gap - nearest.0 < small).count() == 1 {
             normals.check3(*gap, nearest.2.normalize(), 4.0 * U * (2.0 + x.length() / nearest.2.length()), input);
         }

@@ -8,7 +8,7 @@ use super::reals::{U64, answers, joined, joined3, split};
 use super::{Errors, Random, U, wide};
 use crate::support::{gpu, probe::Probe, scene};
 
-/// The generated function of a formula, under a name of its own.
+/// Returns the generated function of a formula, with this name.
 fn generated(name: &str, formula: &str) -> String {
     let text = format!(
         "[law]\nkind = \"medium\"\nindex = {{ kind = \"expression\", n = \"{formula}\" }}\n\
@@ -35,7 +35,7 @@ fn with_formulas<'f>(real: &str, formulas: impl IntoIterator<Item = &'f str>) ->
         .fold(probe, |probe, (k, formula)| probe.stub(&generated(&format!("case_{k}"), formula)))
 }
 
-/// A formula; its gradient, value and the size of the terms that make them, worked out by hand; where its places may be.
+/// A formula; its gradient, value and the size of their terms, derived by hand; the scale of its positions.
 type Case = (&'static str, fn(DVec3) -> (DVec3, f64, f64), f64);
 
 const CASES: [Case; 8] = [
@@ -121,8 +121,8 @@ fn y_of(q: DVec3) -> f64 {
     q.y
 }
 
-/// Each value is made by at most 24 operations, and a function errs by no more than 40 roundings of its own (an exponential in 32
-/// bits of 6 + 4 |a|, |a| < 9; the terms' sizes allow for conditioning).
+/// Each value results from at most 24 operations, and a function adds an error of at most 40 roundings (an exponential in 32 bits has 6 + 4
+/// |a|, |a| < 9; the sizes of the terms account for conditioning).
 #[test]
 fn values_and_gradients_of_formulas() {
     let calls: Vec<String> = (0..CASES.len())
@@ -138,7 +138,7 @@ fn values_and_gradients_of_formulas() {
     for (k, (formula, exact, scale)) in CASES.iter().enumerate() {
         let (mut values, mut slopes) = (Errors::of(formula), Errors::of("its gradient"));
         for (input, rows) in inputs.iter().zip(&out) {
-            // The scaled place is rounded once more, which counts among the operations.
+            // The scaled position is rounded once more, which counts as an operation.
             let (slope, n, size) = exact(*scale * wide(input[0]));
             values.check(rows[k].w, n, 64.0 * U * size, input);
             slopes.check3(rows[k], slope, 64.0 * U * size * (1.0 + slope.length()), input);
@@ -146,14 +146,14 @@ fn values_and_gradients_of_formulas() {
         values.report();
         slopes.report();
     }
-    // At the center no gradient has a direction, and none is not a number.
+    // At the center no gradient has a direction, and none is NaN.
     let centre = with_formulas("real/f32", CASES.map(|case| case.0)).run::<1, 8>(&gpu(), &body, &[[Vec4::ZERO]]);
     for k in [0, 1, 2, 7] {
         assert_eq!(wide(centre[0][k]), DVec3::ZERO, "{}", CASES[k].0);
     }
 }
 
-/// In 64 bits the numbers of the formula must be of 64 bits too.
+/// In 64 bits the numbers of the formula must have 64 bits too.
 #[test]
 fn formulas_in_64_bits() {
     let calls: Vec<String> = (0..CASES.len())
@@ -185,7 +185,7 @@ fn formulas_in_64_bits() {
     }
 }
 
-/// √, ln, sine and cosine; sinh, cosh, tanh, sign; the lesser and the greater.
+/// √, ln, sine and cosine; sinh, cosh, tanh, sign; minimum and maximum.
 const FUNCTIONS: &str = "put(0u, vec4f(formula_sqrt(abs(p0.x)), formula_log(abs(p0.x)), formula_sin_cos(p0.x)));
     put(1u, vec4f(formula_sinh(p0.y), formula_cosh(p0.y), formula_tanh(p0.y), formula_sign(p0.y)));
     put(2u, vec4f(formula_min(p0.x, p0.y), formula_max(p0.x, p0.y), real_exp(p0.y), 0.0));";
@@ -213,7 +213,7 @@ fn functions_of_formulas() {
         logs.check(rows[0].y, size.ln(), 4.0 * U * size.ln().abs(), input);
         sines.check(rows[0].z, x.sin(), SINE_BOUND * size.min(1.0), input);
         cosines.check(rows[0].w, x.cos(), SINE_BOUND, input);
-        // WGSL's own bound on exp, 3 + 2 |a| units in the last place, each up to two roundings.
+        // WGSL's bound on exp, 3 + 2 |a| units in the last place, each up to two roundings.
         let e = |a: f64| (6.0 + 4.0 * a.abs()) * U;
         exps.check(rows[2].z, y.exp(), e(y) * y.exp(), input);
         let terms = if y.abs() < 0.3 { 0.0 } else { y.cosh() };
@@ -256,7 +256,7 @@ fn functions_of_formulas_in_64_bits() {
     }
 }
 
-/// Where a formula has no value, or none above 0, the index and its pull are not finite; elsewhere they are.
+/// The index and its pull are not finite if a formula has no value, or none above 0; otherwise they are.
 #[test]
 fn no_index_goes_unnoticed() {
     let formulas = [
@@ -286,7 +286,7 @@ fn no_index_goes_unnoticed() {
         let inputs = [2.0_f32, 0.0, -2.0, f32::NAN].map(|x| [Vec4::new(x, 0.5, 0.25, 0.0)]);
         let out = with_formulas(real, formulas).run::<1, 10>(&gpu(), &body, &inputs);
         let finite = |i: usize| (0..count).map(|k| [out[i][k].y == 1.0, out[i][k].z == 1.0]).collect::<Vec<_>>();
-        // The logarithm of 0 is less than 1; that of −2 is not anything.
+        // The logarithm of 0 is less than 1, and that of −2 is not a number.
         let yes = [true; 2];
         let no = [false; 2];
         assert_eq!(finite(0), [yes, yes, yes, yes, yes, yes, yes, yes, yes, no], "{real} at 2");

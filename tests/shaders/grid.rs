@@ -1,4 +1,4 @@
-//! The spline through a grid's samples, against Hermite's cubics through the same points, axis by axis.
+//! The spline through a grid's samples, compared with Hermite cubics through the same points, axis by axis.
 
 use bentray::model::Value::{Uint4, Vec3 as V3};
 use glam::{DVec3, Vec4};
@@ -16,7 +16,7 @@ fn samples() -> Vec<f32> {
     (0..SIZE.iter().product::<i32>()).map(|_| random.within(1.0, 2.0) as f32).collect()
 }
 
-/// Some other grid's samples lie before this one's.
+/// The samples of another grid come before those of this one.
 fn probe(real: &str) -> Probe {
     let before = [7.0_f32; 11];
     let all: Vec<u32> = before.iter().chain(&samples()).map(|n| n.to_bits()).collect();
@@ -26,7 +26,7 @@ fn probe(real: &str) -> Probe {
         .numbers("index_samples", &all)
 }
 
-/// Through b and c, with the slopes there of the neighbors' chords: the value at t and the slope.
+/// Returns the cubic through b and c, with the slopes of the neighbors' chords there: the value at t and the slope.
 fn hermite([a, b, c, d]: [f64; 4], t: f64) -> [f64; 2] {
     let (m, n) = ((c - a) / 2.0, (d - b) / 2.0);
     let value = (2.0 * t.powi(3) - 3.0 * t * t + 1.0) * b
@@ -37,7 +37,7 @@ fn hermite([a, b, c, d]: [f64; 4], t: f64) -> [f64; 2] {
     [value, slope]
 }
 
-/// Gradient and value; `along` is the axis whose slope is wanted, 3 for none.
+/// Returns the gradient and the value by one-dimensional splines.
 fn spline(samples: &[f32], x: DVec3) -> (DVec3, f64) {
     let p = (x - ORIGIN) / CELL;
     let inside: [f64; 3] = std::array::from_fn(|k| p[k].clamp(0.0, f64::from(SIZE[k] - 1)));
@@ -57,7 +57,7 @@ fn spline(samples: &[f32], x: DVec3) -> (DVec3, f64) {
     (DVec3::from_array(slope), result(3))
 }
 
-/// Inside, on grid points, at the border and beyond.
+/// Positions inside, on grid points, at the border and beyond.
 fn places(seed: u64) -> Vec<DVec3> {
     let mut random = Random::new(seed);
     let steps = DVec3::from_array(SIZE.map(|n| f64::from(n - 1)));
@@ -72,15 +72,15 @@ fn places(seed: u64) -> Vec<DVec3> {
     all
 }
 
-/// Bounds on the errors of value and gradient (times the cell). The weights' sizes sum to 1.25 an axis, their slopes' to 2, the
-/// slopes' slopes' to 10, of samples up to 2; some 24 roundings each; a place errs by 4 U of its own coordinates in cells.
+/// Returns bounds on the errors of value and gradient (times the cell). Per axis the absolute weights sum to 1.25, their slopes to 2 and
+/// second derivatives to 10, for samples up to 2; each has about 24 roundings; a position errs by 4 U of its coordinates in cells.
 fn bounds(x: DVec3, u: f64) -> (f64, f64) {
     let moved = 4.0 * u * ((x.abs() + ORIGIN.abs()) / CELL + DVec3::splat(7.0)).max_element();
     let (weights, slopes) = (2.0 * 1.25_f64.powi(3), 2.0 * 2.0 * 1.25 * 1.25);
     (24.0 * u * weights + 3.0 * moved * slopes, 24.0 * u * slopes + moved * 2.0 * (10.0 * 1.5625 + 2.0 * 4.0 * 1.25))
 }
 
-/// Is a border or a face of a cell nearer than roundings tell?
+/// Returns `true` if a border or a face of a cell is within the rounding error.
 fn at_face(x: DVec3, u: f64) -> bool {
     let p = (x - ORIGIN) / CELL;
     (p - p.round()).abs().min_element() < 64.0 * u * (x.abs() / CELL).max_element() && x != x.as_vec3().as_dvec3()
@@ -108,11 +108,11 @@ fn splines_go_through_their_samples() {
         assert_eq!((rows[1].w, rows[2].x), (rows[0].w, 0.25), "at {input:?}");
         beyond += usize::from(slope.min_element().abs().min(slope.max_element().abs()) == 0.0);
     }
-    assert!(beyond > 300, "{beyond} places are beyond the border");
+    assert!(beyond > 300, "{beyond} positions are beyond the border");
     for errors in [values, slopes, pulls] {
         errors.report();
     }
-    // Grid points have their samples.
+    // At grid points the value is the sample.
     let (last, first) = (samples[samples.len() - 1], samples[0]);
     let count = inputs.len();
     assert_eq!((out[count - 16][0].w, out[count - 2][0].w), (first, last), "the corners");

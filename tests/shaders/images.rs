@@ -1,4 +1,4 @@
-//! Pictures: bilinear samples, and skies as which direction shows what.
+//! Images: bilinear samples, and environment maps with the directions of their texels.
 
 use std::f64::consts::{PI, TAU};
 
@@ -8,7 +8,7 @@ use glam::{DVec2, DVec3, Vec3, Vec4};
 use super::{Errors, Random, U, awkward_directions, row, wide};
 use crate::support::{gpu, probe::Probe};
 
-/// Six pictures of a few texels, made by a formula in place of textures.
+/// Six images of a few texels, made by a formula instead of textures.
 const SIZE: [f64; 2] = [7.0, 4.0];
 const PICTURES: &str = "fn image_extent(image: u32) -> vec2u {
     return vec2u(7u, 4u);
@@ -22,7 +22,7 @@ fn texel(image: f64, p: [f64; 2]) -> DVec3 {
     DVec3::new((p[0] * 5.0 + p[1] * 3.0) % 8.0, p[0] + 10.0 * p[1], image)
 }
 
-/// Texel centers lie at halves; between them the four around blend.
+/// Returns a bilinear sample: texel centers are at halves, and between them the four nearest texels blend.
 fn sample(image: f64, uv: DVec2, repeats: bool) -> DVec3 {
     let p = uv * DVec2::from(SIZE) - 0.5;
     let base = p.floor();
@@ -58,7 +58,7 @@ fn bilinear_samples() {
     let [mut repeated, mut clamped] = ["image_sample, repeating", "image_sample, clamped"].map(Errors::of);
     for (input, output) in inputs.iter().zip(&probe.run::<1, 2>(&gpu(), body, &inputs)) {
         let uv = wide(input[0]).truncate();
-        // A place in texels errs by 3 U of its size; the blend by 6 U of its terms.
+        // A position in texels errs by 3 U of its size; the blend by 6 U of its terms.
         let bound = STEEPEST * (3.0 * U * (uv.abs() * DVec2::from(SIZE) + 1.0).max_element() * 2.0 + 6.0 * U);
         repeated.check3(output[0], sample(2.0, uv, true), bound, input);
         clamped.check3(output[1], sample(3.0, uv, false), bound, input);
@@ -79,7 +79,7 @@ fn equirectangular_sky() {
     let sky = vec![("intensity", Float(0.5)), ("image", Uint(4))];
     let parts = ["segment/ray", "surface/image", "picture/sky/equirectangular"];
     let mut inputs = directions(112);
-    // The middle of the picture's texels, and the compass: -z in the middle, +x right of it, +y at the top.
+    // The centers of the texels, and the compass: -z at the center, +x right of it, +y at the top.
     for i in 0..7 {
         for j in 0..4 {
             let (u, v) = ((f64::from(i) + 0.5) / 7.0, (f64::from(j) + 0.5) / 4.0);
@@ -95,18 +95,18 @@ fn equirectangular_sky() {
     );
     let (mut errors, mut texels) =
         (Errors::of("picture/sky/equirectangular"), Errors::of("sky/equirectangular at texels"));
-    // arc_tangent's 4e-7 of 2π, and roundings of u and of the place in texels.
+    // The error of arc_tangent, 4e-7 of 2π, and roundings of u and of the position in texels.
     let bound = 0.5 * STEEPEST * 7.0 * (4e-7 / PI + 6.0 * U);
     for (input, [color]) in inputs.iter().zip(&out) {
         let d = wide(input[0]);
         if input[0].w > 0.0 {
             let k = f64::from(input[0].w) - 1.0;
-            // The direction's own rounding turns it by U.
+            // The rounding of the direction turns it by U.
             texels.check3(*color, 0.5 * texel(4.0, [k % 7.0, (k / 7.0).floor()]), 2.0 * bound, input);
         }
         let u = 0.5 + (d.x + 0.0).atan2(-d.z + 0.0) / TAU;
         let v = (0.5 - d.y.atan2(d.x.hypot(d.z)) / PI).clamp(0.5 / SIZE[1], 1.0 - 0.5 / SIZE[1]);
-        // Straight up and down every longitude is as good as another.
+        // Straight up and down the longitude is arbitrary.
         if d.x.hypot(d.z) > 0.0 {
             errors.check3(*color, 0.5 * sample(4.0, DVec2::new(u, v), true), bound, input);
         }
@@ -116,7 +116,7 @@ fn equirectangular_sky() {
     texels.report();
 }
 
-/// A face as seen from inside: its number, what is ahead, to the right, and up.
+/// A face as seen from inside: its number, and the directions ahead, to the right, and up.
 const FACES: [(f64, Vec3, Vec3, Vec3); 6] = [
     (0.0, Vec3::X, Vec3::Z, Vec3::Y),
     (1.0, Vec3::NEG_X, Vec3::NEG_Z, Vec3::Y),
@@ -141,7 +141,7 @@ fn six_faces() {
         let d = input[0].truncate();
         let largest = d.abs().max_element();
         let mut faces = FACES.iter().filter(|(_, ahead, ..)| ahead.dot(d) == largest);
-        // On an edge between two faces either may answer.
+        // On an edge between two faces either is correct.
         if let (Some((number, ahead, right, up)), None) = (faces.next(), faces.next()) {
             let along = |axis: Vec3| f64::from(axis.dot(d)) / f64::from(ahead.dot(d));
             let uv = DVec2::new(0.5 + 0.5 * along(*right), 0.5 - 0.5 * along(*up));

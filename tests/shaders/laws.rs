@@ -6,7 +6,7 @@ use glam::{DVec3, Vec3, Vec4};
 use super::{Errors, Random, U, row, vectors, wide};
 use crate::support::{gpu, probe::Probe};
 
-/// Rate, start and scale of a law whose phase is a place and a velocity.
+/// Evaluates the rate, start and scale of a law whose phase is a position and a velocity.
 pub const LAW: &str = "let here = Phase(p0.xyz, p1.xyz);
     let rate = law_derivative(here);
     let start = law_start(p0.xyz, p1.xyz);
@@ -18,14 +18,14 @@ pub const LAW: &str = "let here = Phase(p0.xyz, p1.xyz);
     put(4u, vec4f(settled[0], 0.0));
     put(5u, vec4f(settled[1], 0.0));";
 
-/// Places and velocities.
+/// Returns positions and velocities.
 pub fn phases(seed: u64, places: [f64; 2], speeds: [f64; 2]) -> Vec<[Vec4; 2]> {
     let mut random = Random::new(seed);
     let xs = vectors(&mut random, 2000, places[0], places[1]);
     let mut vs = vectors(&mut random, xs.len(), speeds[0], speeds[1]);
     vs.truncate(xs.len());
     let mut all: Vec<[Vec4; 2]> = xs.iter().zip(vs).map(|(x, v)| [row(*x, 0.0), row(v, 0.0)]).collect();
-    // Radial both ways, and across.
+    // Radial in both directions, and across.
     for d in super::awkward_directions() {
         let x = d * (places[0] * places[1]).sqrt() as f32;
         all.extend([
@@ -37,7 +37,7 @@ pub fn phases(seed: u64, places: [f64; 2], speeds: [f64; 2]) -> Vec<[Vec4; 2]> {
     all
 }
 
-/// A law for which v is taken and kept as it is.
+/// Checks a law that uses v unchanged.
 pub fn keeps_phase(input: &[Vec4; 2], output: &[Vec4]) {
     assert_eq!(wide(output[0]), wide(input[1]), "dx = v");
     for (got, want) in output[2..6].iter().zip([input[0], input[1], input[0], input[1]]) {
@@ -64,8 +64,8 @@ fn schwarzschild_path_form() {
         let r = x.length();
         let l = x.cross(v).length();
         let want = -3.0 * MASS * l * l / r.powi(5) * x;
-        // A component of x × v errs by 5 U |x| |v| (x − c rounds once, two products and their difference), that is 9 U in
-        // length; its square doubles that. The powers of r and the products err by 20 U.
+        // A component of x × v errs by 5 U |x| |v| (x − c rounds once, two products and their difference), so the vector by 9 U; its square
+        // doubles that. The powers of r and the products err by 20 U.
         let cross = 9.0 * U * r * v.length();
         let bound = 3.0 * MASS / r.powi(4) * (2.0 * l * cross + cross * cross) + 20.0 * U * want.length();
         rates.check3(output[1], want, bound, input);
@@ -76,7 +76,7 @@ fn schwarzschild_path_form() {
     scales.report();
 }
 
-/// Rows of the clock's value; the other columns are as for laws of space.
+/// Rows of the time component; the other columns are as for laws of space.
 const SPACETIME_LAW: &str = "let here = Phase(vec4f(p0.xyz, 0.0), vec4f(p1.xyz, p1.w));
     let rate = law_derivative(here);
     let start = law_start(p0.xyz, p1.xyz);
@@ -92,7 +92,7 @@ fn schwarzschild_geodesic_form() {
     let mut random = Random::new(12);
     let mut inputs = phases(13, [2.0 * MASS, 1e5], [1e-2, 1e2]);
     for input in &mut inputs {
-        // Outside the horizon, some just so.
+        // Outside the horizon, some barely.
         let x = input[0].truncate();
         let r = random.log(2.001 * MASS, 1e4).max(f64::from(x.length()).min(2e4)) as f32;
         *input = [
@@ -120,7 +120,7 @@ fn schwarzschild_geodesic_form() {
         assert_eq!(wide(output[0]), v);
         assert_eq!(output[0].w, input[1].w);
         assert_eq!((output[2].truncate(), output[3].truncate()), (input[0].truncate(), input[1].truncate()));
-        // f errs by 4 U of 1, so by 4 U/f of itself; every term but for that by 20 U of |v|².
+        // f errs by 4 U of 1, so by 4 U/f of itself; every other term errs by 20 U of |v|².
         let slack = U * (20.0 + 8.0 / f);
         let near = f < 0.05;
         if (f - 0.05).abs() > 1e-6 {
@@ -153,7 +153,7 @@ fn schwarzschild_geodesic_form() {
 const SPIN: DVec3 = DVec3::new(0.6, -0.5, 0.75);
 const CHARGE: f64 = 0.5;
 
-/// h of SPACETIMES 2 for g = η + f l l, with f and l in their textbook form, about an axis e.
+/// The Hamiltonian h of SPACETIMES 2 for g = η + f l l, with f and l in their textbook form, around an axis e.
 struct Hamilton {
     e: DVec3,
     a: f64,
@@ -175,7 +175,7 @@ impl Hamilton {
         (((1.0 + f) * p.length_squared() - f * w * w).sqrt() + f * w) / (1.0 + f)
     }
 
-    /// dx/dτ by differences of h, as is all else.
+    /// Returns the gradient of h by differences, as everything else here; the gradient by p is dx/dτ.
     fn gradient(of: impl Fn(DVec3) -> f64, at: DVec3, step: f64) -> DVec3 {
         DVec3::from_array([DVec3::X, DVec3::Y, DVec3::Z].map(|d| {
             let slope = |h: f64| (of(at + h * d) - of(at - h * d)) / (2.0 * h);
@@ -187,7 +187,7 @@ impl Hamilton {
         Self::gradient(|p| self.energy(x, p), p, 1e-3 * p.length())
     }
 
-    /// dv/dτ along Hamilton's flow.
+    /// Returns dv/dτ along the Hamiltonian flow.
     fn acceleration(&self, x: DVec3, p: DVec3) -> DVec3 {
         let (v, force) = (self.velocity(x, p), -Self::gradient(|x| self.energy(x, p), x, 1e-3 * x.length()));
         let at = |t: f64| self.velocity(x + t * v, p + t * force);
@@ -197,9 +197,9 @@ impl Hamilton {
     }
 }
 
-/// The congruence's form of the geodesic equation is Hamilton's, which knows nothing of shear and twist. Outside the horizon, where
-/// |x|² < 2r² as a < M, what is made of r errs by some 4 U of itself, and what is made of that by some 8 U, over 1 − f
-/// where a root loses that. Differences of differences are good to 1e-9.
+/// The congruence form of the geodesic equation agrees with the Hamiltonian one, which has no shear and twist. Outside the horizon, where
+/// |x|² < 2r² as a < M, functions of r have a relative error of about 4 U, and those of these of about 8 U, over 1 − f if a root loses
+/// that. Second differences are accurate to 1e-9.
 #[test]
 fn kerr_newman() {
     let (a, e) = (SPIN.length(), SPIN.normalize());
@@ -234,7 +234,7 @@ fn kerr_newman() {
         }
         let w = 1.0 - l.dot(v);
         let fast = 1.0 + v.length();
-        // |b| + √(b² + (1−f)c) loses what 1 − f does.
+        // |b| + √(b² + (1−f)c) loses the digits that 1 − f loses.
         nulls.check((v.length_squared() + f * w * w) as f32, 1.0, 6.0 * U * fast * fast / (1.0 - f), input);
         restarts.check3(output[3], v, 6.0 * U * fast * fast / (1.0 - f), input);
         let r = x.length();
@@ -251,7 +251,7 @@ fn kerr_newman() {
 
 type Field = fn(DVec3) -> (DVec3, f64);
 
-/// F and the size of its terms.
+/// Returns F and the size of its terms.
 pub fn lorenz(x: DVec3) -> (DVec3, f64) {
     let (sigma, rho, beta) = (10.0, 28.0, f64::from(8.0_f32 / 3.0));
     let f = DVec3::new(sigma * (x.y - x.x), rho * x.x - x.y - x.x * x.z, x.x * x.y - beta * x.z);
@@ -277,7 +277,7 @@ pub fn flow(part: &str, order: &str) -> Probe {
 fn flows_of_both_orders() {
     let gpu = gpu();
     let inputs = phases(14, [1e-6, 1e5], [1e-3, 1e3]);
-    // The rate at which volumes shrink, and that of z about z = 0.
+    // The rate at which volumes shrink, and the rate of z near z = 0.
     let fields: [(&str, Field, f64); 2] =
         [("law/field_lorenz", lorenz, 10.0 + 1.0 + 8.0 / 3.0), ("law/field_rossler", rossler, 1.0 + 0.375 + 4.0)];
     for (part, field, fastest) in fields {
@@ -286,7 +286,7 @@ fn flows_of_both_orders() {
         let second = flow(part, "law/flow_acceleration").run::<2, 6>(&gpu, LAW, &inputs);
         for ((input, a), b) in inputs.iter().zip(&first).zip(&second) {
             let (want, terms) = field(wide(input[0]));
-            // Three roundings of each term.
+            // Each term has three roundings.
             let bound = 4.0 * U * terms;
             errors.check3(a[0], want, bound, input);
             assert_eq!(wide(a[1]), DVec3::ZERO, "a flow's v has no rate");

@@ -37,7 +37,7 @@ fn material(k: usize) -> Record {
     ]
 }
 
-/// Diffuse and specular factors, and the cosine of the highlight.
+/// Returns the diffuse and specular factors, and the cosine of the highlight.
 fn blinn_phong(k: usize, to_light: DVec3, normal: DVec3, view: DVec3) -> (f64, f64, f64) {
     let facing = normal.dot(to_light);
     let cosine = normal.dot((to_light + view).normalize());
@@ -45,8 +45,8 @@ fn blinn_phong(k: usize, to_light: DVec3, normal: DVec3, view: DVec3) -> (f64, f
     (facing.max(0.0), highlight, cosine)
 }
 
-/// The built-in pow is exp2 of a product with log2, whose relative error is 7e-5 near 1 on lavapipe (FINDINGS), and the cosine
-/// errs by 8 U: shininess multiplies both.
+/// Returns a bound on the error of the highlight. The built-in pow is exp2 of a product with log2, whose relative error near 1 is 7e-5 on
+/// lavapipe, and the cosine errs by 8 U; the exponent multiplies both.
 fn highlight_bound(k: usize, highlight: f64, cosine: f64) -> f64 {
     let cosine = cosine.clamp(1e-6, 1.0);
     highlight * SHININESS[k] * (8.0 * U * (1.0 + 1.0 / cosine) + 7e-5 * cosine.ln().abs()) + 1e-5 * highlight
@@ -64,7 +64,7 @@ fn blinn_phong_answers() {
         let normal = random.direction();
         let view = if k % 3 == 0 { random.direction() } else { (normal + 0.5 * random.direction()).normalize() };
         let mirrored = 2.0 * view.dot(normal) * normal - view;
-        // Many of them in the highlight.
+        // Many of the directions are in the highlight.
         let to_light = if k % 2 == 0 { random.direction() } else { (mirrored + 0.1 * random.direction()).normalize() };
         inputs.push([row(to_light.as_vec3(), (k % 4) as f32), row(normal.as_vec3(), 0.0), row(view.as_vec3(), 0.0)]);
     }
@@ -81,7 +81,7 @@ fn blinn_phong_answers() {
         }
         lit += u32::from(highlight > 0.1);
         let want = facing * DVec3::new(0.0, 1.0, 0.5) + highlight * SPECULAR;
-        // Opposite light and view have no direction halfway between them.
+        // Between opposite directions of light and view there is no half vector.
         let halfway = (to_light + view).length();
         errors.check3(*got, want, 6.0 * U + highlight_bound(k, highlight, cosine) / halfway.min(1.0) + 1e-6, input);
     }
@@ -154,7 +154,7 @@ fn lights_add_up() {
             let (mut all, mut bound, mut edge) = (DVec3::ZERO, 0.0, false);
             for (to_light, light) in lights {
                 let (facing, highlight, cosine) = blinn_phong(k, *to_light, normal, view);
-                // Where a light just sets, its highlight is on or off.
+                // For a light on the horizon of the surface, rounding decides on its highlight.
                 edge |= normal.dot(*to_light).abs() < 8.0 * U;
                 all += *light * (facing * own + highlight * SPECULAR);
                 bound += light.max_element()
@@ -182,7 +182,7 @@ fn checkers_alternate() {
     let mut inputs = Vec::new();
     for i in -9..17 {
         for j in -9..17 {
-            // The middle of each square, of 4 by 2, and points near its corners.
+            // The center of each square, of 4 by 2, and points near its corners.
             for (x, y) in [(0.5, 0.5), (0.01, 0.99), (0.99, 0.01)] {
                 inputs.push([Vec4::new((i as f32 + x) / 4.0, 0.5 * (j as f32 + y), f32::from((i + j) % 2 != 0), 0.0)]);
             }
@@ -197,7 +197,7 @@ fn checkers_alternate() {
     }
 }
 
-/// A picture stands upright: v = 1 is its top row, and it repeats.
+/// Images on surfaces are upright and repeat: v = 1 is the top row.
 #[test]
 fn pictures_on_surfaces() {
     let stub = "fn image_extent(image: u32) -> vec2u { return vec2u(4u, 2u); }
@@ -205,7 +205,7 @@ fn pictures_on_surfaces() {
     let mut inputs = Vec::new();
     for i in 0..16_u8 {
         for j in 0..4_u8 {
-            // The texels' centers, for a picture repeated 4 by 2 times over the surface.
+            // The centers of texels, because the image repeats 4 by 2 times over the surface.
             inputs.push([Vec4::new(
                 (f32::from(i) + 0.5) / 16.0,
                 1.0 - (f32::from(j) + 0.5) / 4.0,

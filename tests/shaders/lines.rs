@@ -1,10 +1,10 @@
-//! Lines in a shape's own space, and where they are inside of it: the f64 forms of `shaders/shape/`.
+//! Intersections of lines with shapes in object space: the f64 forms of `shaders/shape/`.
 
 use glam::DVec3;
 
 use super::shapes::HOLE;
 
-/// In a shape's own space: along y from outside and from inside, along the mantle, through the rims, and grazing.
+/// Returns pieces in object space: along y from outside and from inside, along the mantle, through the rims, and grazing.
 pub(super) fn own_pieces() -> Vec<[DVec3; 2]> {
     let mut all = Vec::new();
     for k in 0..24 {
@@ -20,7 +20,7 @@ pub(super) fn own_pieces() -> Vec<[DVec3; 2]> {
                 all.push([across(rho, y) - tangent, across(rho, y) + tangent]);
                 all.push([across(-3.0, y), across(3.0, y)]);
             }
-            // Through a rim on a slant, just inside and just outside.
+            // Slanted lines through a rim, just inside and just outside.
             let slant = DVec3::new(2.0 * cos - sin, -2.0, 2.0 * sin + cos);
             all.push([across(rho, 1.0) + slant, across(rho, 1.0) - slant]);
         }
@@ -30,13 +30,13 @@ pub(super) fn own_pieces() -> Vec<[DVec3; 2]> {
 
 const OVERLAP: f64 = 1e-5;
 
-/// The first of two crossings that lies on the piece, ends taken `eta` wider.
+/// Returns the first of two crossings on the piece, with its ends extended by `eta`.
 pub(super) fn first([enters, leaves]: [f64; 2], eta: f64) -> Option<f64> {
     let t = if enters >= -OVERLAP - eta { enters } else { leaves };
     (enters <= leaves && t >= -OVERLAP - eta && t <= 1.0 + OVERLAP + eta).then_some(t)
 }
 
-/// Where a line enters and leaves a ball.
+/// Returns the crossings of a line with a ball.
 pub(super) fn ball(p: DVec3, d: DVec3, radius: f64) -> Option<[f64; 2]> {
     let (dd, pd) = (d.length_squared(), p.dot(d));
     let miss = p - pd / dd * d;
@@ -45,7 +45,7 @@ pub(super) fn ball(p: DVec3, d: DVec3, radius: f64) -> Option<[f64; 2]> {
     (inside >= 0.0).then_some([-pd / dd - half, -pd / dd + half])
 }
 
-/// Where it enters and leaves what is within ±size in some of the coordinates.
+/// Returns the crossings of a line with the slabs |x| ≤ size of these axes.
 pub(super) fn slabs(axes: &[usize], p: DVec3, d: DVec3, size: f64) -> Option<[f64; 2]> {
     let (mut enters, mut leaves) = (f64::NEG_INFINITY, f64::INFINITY);
     for &axis in axes {
@@ -61,7 +61,7 @@ pub(super) fn slabs(axes: &[usize], p: DVec3, d: DVec3, size: f64) -> Option<[f6
     (enters <= leaves).then_some([enters, leaves])
 }
 
-/// By the roots of |p + t d|² = r² across the axis, and its height.
+/// Returns the crossings with a cylinder: the roots of |p + t d|² = r² across the axis, limited by the height.
 pub(super) fn cylinder(p: DVec3, d: DVec3, radius: f64, height: f64) -> Option<[f64; 2]> {
     let [enters, leaves] = slabs(&[1], p, d, height)?;
     let (a, b) = (d.x * d.x + d.z * d.z, p.x * d.x + p.z * d.z);
@@ -70,12 +70,12 @@ pub(super) fn cylinder(p: DVec3, d: DVec3, radius: f64, height: f64) -> Option<[
         return (c <= 0.0).then_some([enters, leaves]);
     }
     let root = (b * b - a * c).sqrt();
-    // A root of what is below 0 is no number, and no comparison with it holds.
+    // The root of a negative number is NaN, and every comparison with it is false.
     let ends = [enters.max((-b - root) / a), leaves.min((-b + root) / a)];
     (!root.is_nan() && ends[0] <= ends[1]).then_some(ends)
 }
 
-/// Both the square's size and its height may be off, and the height's error moves the point along the square.
+/// Returns the crossing with a square. Its size and its height may be wrong, and an error of the height moves the point along the square.
 pub(super) fn square(p: DVec3, d: DVec3, lift: f64, grown: f64, eta: f64) -> Option<f64> {
     let t = -(p.y + lift) / d.y;
     let size = 1.0 + grown * (1.0 + d.x.hypot(d.z) / d.y.abs());

@@ -1,4 +1,4 @@
-//! The noise index and the medium's law, against the same noise written anew in f64.
+//! The noise index and the law of the medium, compared with an independent version of the noise in f64.
 
 use bentray::model::Value::{Float, Uint, Vec3 as V3};
 use glam::{DMat3, DVec3, Vec4};
@@ -37,7 +37,7 @@ fn with_medium(parts: &[&str]) -> Probe {
     Probe::new(&[parts, &["surface/region_none"]].concat()).list("media", "MEDIA_COUNT", [medium])
 }
 
-/// The rotation's rows; its f32 entries as they are.
+/// Returns the rotation, with its exact f32 entries.
 fn turn() -> DMat3 {
     let f = |a: f32| f64::from(a);
     DMat3::from_cols(
@@ -60,7 +60,7 @@ fn corner(cell: [i64; 3]) -> f64 {
     f64::from(((word >> 22) ^ word) >> 8) / 8_388_607.5 - 1.0
 }
 
-/// The eight corners blended by weights, with no polynomial multiplied out.
+/// Returns the noise by blending the eight corners with weights, without expanded polynomials.
 fn noise(p: DVec3) -> f64 {
     let base = p.floor();
     let f = p - base;
@@ -85,17 +85,17 @@ fn index(x: DVec3) -> f64 {
     1.0 + AMPLITUDE * (2.0 * q.powi(3) - 3.0 * q * q + 1.0) * sum
 }
 
-/// Central differences; their own error is (10⁻⁵)² times third derivatives of at most 10⁴.
+/// Returns central differences, whose error is (10⁻⁵)² times third derivatives of at most 10⁴.
 fn gradient(x: DVec3) -> DVec3 {
     let h = 1e-5;
     DVec3::from_array(DVec3::AXES.map(|e| (index(x + h * e) - index(x - h * e)) / (2.0 * h)))
 }
 
-/// Bounds on the errors of the index and of its gradient at a distance r from the center.
+/// Returns bounds on the errors of the index and of its gradient at a distance r from the center.
 ///
-/// A lattice point errs by 8 U of its size (the product with the rotation, three terms). Along an axis the noise changes by at
-/// most 2 · 15/8 a cell (three axes: 6.5), and that slope by 2 · 10/√3 and 4 · (15/8)² across (the Hessian's norm: 45). Its own
-/// value is a sum of some 30 terms up to 8.
+/// A lattice point errs by 8 U of its size (the product with the rotation, three terms). Along an axis the noise changes by at most 2 ·
+/// 15/8 per cell (three axes: 6.5), and that slope by 2 · 10/√3 and 4 · (15/8)² across (the norm of the Hessian: 45). The value is a sum of
+/// about 30 terms up to 8.
 fn bounds(r: f64) -> (f64, f64) {
     let (mut value, mut slope) = (4.0 * U, 1e-5);
     for j in 0..OCTAVES {
@@ -143,7 +143,7 @@ fn index_and_gradient() {
     }
 }
 
-/// On both sides of every kind of lattice face the index and its gradient agree as far as the distance allows.
+/// On both sides of every kind of lattice face the index and its gradient agree as far as their distance allows.
 #[test]
 fn noise_is_smooth_across_its_lattice() {
     let mut random = Random::new(32);
@@ -164,7 +164,7 @@ fn noise_is_smooth_across_its_lattice() {
     for ([a, b], [below, above]) in inputs.iter().zip(&out) {
         let apart = (wide(*a) - wide(*b)).length();
         let (value_bound, slope_bound) = bounds(RADIUS);
-        // Slopes of value and gradient: as in `bounds`, summed over the octaves, and those of ξ (1.5/R, 6/R²) with them.
+        // Slopes of value and gradient, as in `bounds`: summed over the octaves, plus the slopes of ξ (1.5/R, 6/R²).
         let steepest = AMPLITUDE * (6.5 * FREQUENCY * f64::from(OCTAVES) + 2.0 * 1.5 / RADIUS);
         let bend =
             AMPLITUDE * (45.0 * FREQUENCY.powi(2) * 7.0 + 3.0 * 6.5 * FREQUENCY * 3.0 / RADIUS + 12.0 / RADIUS.powi(2));
@@ -188,7 +188,7 @@ fn nothing_bends_outside() {
     }
 }
 
-/// Discrete refraction: straight on, and where the index has changed by more than a threshold, Snell's law at ∇n's plane.
+/// Checks discrete refraction: straight on, and by Snell's law at the plane of ∇n if the index has changed by more than a threshold.
 #[test]
 fn snell_steps() {
     const THRESHOLD: f64 = 0.02;
@@ -216,7 +216,7 @@ fn snell_steps() {
         places.check3(output[0], x, 3.0 * U * (x.length() + h), input);
         let (n, slope) = (index(x), gradient(x));
         let r = (x - CENTER).length();
-        // The place has two roundings more than in `index_and_gradient`.
+        // The position has two more roundings than in `index_and_gradient`.
         let (value_bound, slope_bound) = (2.0 * bounds(r).0, 2.0 * bounds(r).1);
         let changed = (n - v.length()).abs() - THRESHOLD;
         let steep = slope.length();
@@ -224,7 +224,7 @@ fn snell_steps() {
         let along = v.dot(normal);
         let through2 = n * n - (v - along * normal).length_squared();
         let turned = slope_bound / steep;
-        // Too near to a decision: whether to bend, whether it is reflected, which way it goes, or no plane to speak of.
+        // Rounding decides whether to bend, whether the ray is reflected, its direction, or the gradient is too small for a plane.
         if r > RADIUS || changed < -2.0 * value_bound {
             straight += 1;
             if r > RADIUS * 1.000_01 || changed < -2.0 * value_bound {
@@ -244,7 +244,7 @@ fn snell_steps() {
         } else {
             reflected += 1;
         }
-        // The normal turns by that angle, which the new length along it feels over its own size.
+        // The normal turns by that angle, which changes the new component along it in proportion to its inverse.
         let bound = 4.0 * (turned + value_bound) * (1.0 + 1.0 / through2.abs().sqrt()) + 16.0 * U;
         velocities.check3(output[1], want, bound, input);
     }

@@ -1,4 +1,4 @@
-//! Every shader function against an independent f64 form of it.
+//! Compares every shader function with an independent f64 form of it.
 //!
 //! Inputs are rounded to f32 before the f64 form sees them, and bounds on errors follow from rounding: an f32 operation errs by
 //! at most U of its result, and where terms cancel the error is U of the *terms*. Each bound is a small count of operations
@@ -43,7 +43,7 @@ use glam::{DVec3, Vec3, Vec4};
 /// Half the distance from 1 to the next f32: the relative error of one rounding.
 pub const U: f64 = 5.960_464_477_539_063e-8;
 
-/// A small generator of its own, so that inputs never change.
+/// A small random generator, so that inputs never change.
 pub struct Random(u64);
 
 impl Random {
@@ -51,7 +51,7 @@ impl Random {
         Self(seed.wrapping_mul(0x9e37_79b9_7f4a_7c15) ^ 0x1234_5678_9abc_def0)
     }
 
-    /// In [0, 1).
+    /// Returns a number in [0, 1).
     pub fn unit(&mut self) -> f64 {
         self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
         let mixed = (self.0 ^ (self.0 >> 33)).wrapping_mul(0xff51_afd7_ed55_8ccd);
@@ -62,7 +62,7 @@ impl Random {
         lo + (hi - lo) * self.unit()
     }
 
-    /// Evenly over the orders of magnitude.
+    /// Returns a number with a uniformly distributed logarithm.
     pub fn log(&mut self, lo: f64, hi: f64) -> f64 {
         self.within(lo.ln(), hi.ln()).exp()
     }
@@ -74,13 +74,13 @@ impl Random {
         DVec3::new(rho * angle.cos(), rho * angle.sin(), z)
     }
 
-    /// Of a length between `lo` and `hi`, as f32.
+    /// Returns an f32 vector with a length between `lo` and `hi`.
     pub fn vector(&mut self, lo: f64, hi: f64) -> Vec3 {
         (self.direction() * self.log(lo, hi)).as_vec3()
     }
 }
 
-/// Directions that make special cases: axes, diagonals, zeros of both signs, and components of very different sizes.
+/// Returns directions that are special cases: axes, diagonals, zeros of both signs, and components of very different sizes.
 pub fn awkward_directions() -> Vec<Vec3> {
     let mut all = Vec::new();
     for x in [-1.0_f32, -0.0, 0.0, 1.0, 1e-7] {
@@ -96,7 +96,7 @@ pub fn awkward_directions() -> Vec<Vec3> {
     all
 }
 
-/// Random vectors with lengths between `lo` and `hi`, and awkward ones of `lo`, their geometric mean and `hi`.
+/// Returns random vectors with lengths between `lo` and `hi`, and awkward ones of length `lo`, their geometric mean and `hi`.
 pub fn vectors(random: &mut Random, count: usize, lo: f64, hi: f64) -> Vec<Vec3> {
     let mut all: Vec<Vec3> = (0..count).map(|_| random.vector(lo, hi)).collect();
     for size in [lo, (lo * hi).sqrt(), hi] {
@@ -105,17 +105,17 @@ pub fn vectors(random: &mut Random, count: usize, lo: f64, hi: f64) -> Vec<Vec3>
     all
 }
 
-/// A vec3f as an input row.
+/// Returns a vec3f as an input row.
 pub fn row(v: Vec3, w: f32) -> Vec4 {
     v.extend(w)
 }
 
-/// The same vector as f64: exact.
+/// Returns the same vector in f64, which is exact.
 pub fn wide(v: Vec4) -> DVec3 {
     v.truncate().as_dvec3()
 }
 
-/// Errors of one function over its inputs, each against its own bound.
+/// The errors of one function over its inputs, each relative to its bound.
 pub struct Errors {
     what: &'static str,
     count: usize,
@@ -129,13 +129,13 @@ impl Errors {
         Self { what, count: 0, worst: 0.0, ratio: 0.0, at: String::new() }
     }
 
-    /// One value, its exact form, and the bound on the difference.
+    /// Compares one value with its exact form, with a bound on the difference.
     pub fn check(&mut self, got: impl Into<f64>, want: f64, bound: f64, at: impl Debug) {
         self.count += 1;
         let got = got.into();
         let error = (got - want).abs();
         let error = if error.is_nan() { f64::INFINITY } else { error };
-        // What f32 has no normal number for may be flushed to 0, on the way to a result that is some thousand times as large too.
+        // Numbers below the normal range of f32 may be flushed to 0, also on the way to a result that is a few thousand times as large.
         let ratio = error / (bound + 4096.0 * f64::from(f32::MIN_POSITIVE));
         self.worst = self.worst.max(error);
         if ratio > self.ratio || ratio.is_nan() {
@@ -150,7 +150,7 @@ impl Errors {
         }
     }
 
-    /// Prints the largest error, and fails where one was over its bound.
+    /// Prints the largest error, and fails if it exceeds its bound.
     pub fn report(&self) {
         println!(
             "{}: {} values, error at most {:.1e}, {:.2} of its bound",
@@ -161,18 +161,18 @@ impl Errors {
     }
 }
 
-/// What is certain of an intersection when each decision on the way may be off by a rounding error.
+/// The certain part of the result of an intersection, if each decision may be wrong by a rounding error.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Verdict {
     Miss,
-    /// At a fraction between these.
+    /// A hit at a fraction between these.
     Hit(f64, f64),
     /// Rounding decides.
     Open,
 }
 
 impl Verdict {
-    /// Of the results under every combination of errors.
+    /// Returns the verdict from the results under every combination of errors.
     pub fn of(results: &[Option<f64>]) -> Self {
         let found: Vec<f64> = results.iter().flatten().copied().collect();
         let lo = found.iter().copied().fold(f64::INFINITY, f64::min);
@@ -185,7 +185,7 @@ impl Verdict {
     }
 }
 
-/// Intersections against verdicts; at most `open` of them, as a fraction, may be for rounding to decide.
+/// Compares intersections with verdicts; rounding may decide at most a fraction `open` of them.
 pub fn check_hits(what: &'static str, open: f64, cases: impl IntoIterator<Item = (f32, Verdict, f64, String)>) {
     let (mut hits, mut misses, mut undecided) = (0, 0, 0);
     for (t, verdict, slack, at) in cases {

@@ -5,7 +5,7 @@ use glam::Vec4;
 use super::{Errors, Random};
 use crate::support::{gpu, probe::Probe};
 
-/// Cephes' polynomial errs by 2e-7 on the reduced interval; the reduction adds roundings of π/4, π/2 and π (1.2e-7 at most).
+/// The polynomial of Cephes errs by 2e-7 on the reduced interval; the reduction adds roundings of π/4, π/2 and π (1.2e-7 at most).
 const ARC_TANGENT_BOUND: f64 = 4e-7;
 
 #[test]
@@ -16,7 +16,7 @@ fn arc_tangent_in_all_octants() {
         let angle = random.within(-std::f64::consts::PI, std::f64::consts::PI);
         let size = random.log(1e-30, 1e30);
         inputs.push([(size * angle.sin()) as f32, (size * angle.cos()) as f32]);
-        // Components of unlike sizes, and near the borders between octants and between the polynomial's intervals.
+        // Components of very different sizes, and angles near the borders between octants and between the polynomial's intervals.
         inputs.push([random.vector(1e-9, 1.0).x, random.vector(1e-9, 1.0).y]);
         let slope =
             [0.414_213_56, 1.0, 2.414_213_6][(random.unit() * 3.0) as usize] * random.within(0.999_999, 1.000_001);
@@ -35,7 +35,7 @@ fn arc_tangent_in_all_octants() {
             assert!(angle.x.is_finite(), "arc_tangent({y}, {x}) is {}", angle.x);
             continue;
         }
-        // −0 counts as 0: the two ends of the cut are the same direction.
+        // −0 counts as 0: both ends of the branch cut are the same direction.
         let want = (f64::from(*y) + 0.0).atan2(f64::from(*x));
         errors.check(angle.x, want, ARC_TANGENT_BOUND, (y, x));
     }
@@ -60,7 +60,7 @@ fn status_words_keep_their_parts() {
     }
 }
 
-/// Of the numbers of f32, in both precisions.
+/// Checks numbers of f32, in both precisions.
 #[test]
 fn finite_sees_every_kind_of_number() {
     let finite = [0.0, -0.0, 1.0, -1e38, f32::MAX, f32::MIN_POSITIVE, 1e-40, f32::from_bits(1)];
@@ -83,10 +83,10 @@ fn finite_sees_every_kind_of_number() {
     }
 }
 
-/// Two roundings of 6e-8 at most: of the reduced angle, and of the sum of that and its series.
+/// At most two roundings of 6e-8, of the reduced angle and of the sum with its series.
 pub(super) const SINE_BOUND: f64 = 1.2e-7;
 
-/// As good as an angle is small; on the unit circle where angles are too large to be told apart.
+/// Small angles are accurate; angles too large to be distinguished still give a point on the unit circle.
 #[test]
 fn sines_and_cosines() {
     let mut random = Random::new(3);
@@ -115,7 +115,7 @@ fn sines_and_cosines() {
     }
 }
 
-/// Every bit is kept, also of what is not a number, and of zeros' signs.
+/// Every bit is kept, including NaNs and the signs of zeros.
 #[test]
 fn opaque_numbers_keep_their_bits() {
     let special =
@@ -128,7 +128,7 @@ fn opaque_numbers_keep_their_bits() {
     for real in ["real/f32", "real/f64"] {
         let out = Probe::new(&[real]).run::<1, 2>(&gpu(), body, &inputs);
         for ([input], rows) in inputs.iter().zip(&out) {
-            // What is not a number may be another such on its way through 64 bits.
+            // A NaN may become a different NaN on its way through 64 bits.
             let same = |a: f32| if a.is_nan() && real == "real/f64" { f32::NAN } else { a };
             let bits = |row: &Vec4| row.to_array().map(|a| same(a).to_bits());
             assert_eq!([bits(&rows[0]), bits(&rows[1])], [bits(input); 2], "{real}");

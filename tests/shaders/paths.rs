@@ -1,4 +1,4 @@
-//! How paths run and end: straight motion, the fate of a segment, the last step retaken to where it stops.
+//! How paths run and end: straight motion, the termination status of a segment, and the last step retaken to its end.
 
 use bentray::model::Value::{Float, Uint, Vec3 as V3};
 use bentray::program::constant;
@@ -43,13 +43,13 @@ fn straight_motion_leaves_the_bound_in_one_step() {
         places.check3(output[0], x + h * v, 4.0 * U * (x.length() + h * v.length()), input);
         assert_eq!((output[1].truncate(), output[1].w), (input[1].truncate(), 1.0), "out, with v kept");
         assert_eq!((output[2].x, output[2].y), (0.5 + output[0].w, 11.0));
-        // Past the sphere by a thousandth of its radius along the ray.
+        // A thousandth of the radius beyond the sphere, along the ray.
         let d = x - CENTER;
         let b = d.dot(v) / v.length_squared();
         let exit = -b
             + b.hypot(((RADIUS * RADIUS - d.length_squared()) / v.length_squared()).sqrt())
             + 1e-3 * RADIUS / v.length();
-        // The nearest point's own distance errs by 6 U R, the way along the ray from it by R over that way more.
+        // The distance of the nearest point errs by 6 U R, and the distance along the ray from it by R over that distance more.
         let along = (exit + b).max(1e-3) * v.length();
         exits.check(output[0].w, exit, (12.0 * U * RADIUS + 12.0 * U * RADIUS * RADIUS / along) / v.length(), input);
     }
@@ -88,14 +88,14 @@ fn fates_in_their_order() {
     let cases = [
         ("ALIVE", [start, at(11.0, 0.0, 0.0), v]),
         ("ESCAPED", [start, at(50.1, 0.0, 0.0), v]),
-        // Outside but moving in; inside and moving out of the horizon.
+        // Outside but moving in, and inside and moving out of the horizon.
         ("ALIVE", [start, at(50.1, 0.0, 0.0), -v]),
         ("ALIVE", [start, at(1.9, 0.0, 0.0), v]),
         ("CAPTURED", [start, at(1.9, 0.0, 0.0), -v]),
         ("FAILED", [start, at(f32::NAN, 0.0, 0.0), v]),
         ("FAILED", [start, at(60.0, 0.0, 0.0), at(0.0, f32::INFINITY, 0.0)]),
         ("ENDED", [start.with_w(100.0), at(11.0, 0.0, 0.0), v]),
-        // Escape and capture come before the length, the length before a ray that stands still.
+        // Escape and capture take precedence over the length, and the length over a ray that stalls.
         ("ESCAPED", [start.with_w(100.0), at(51.0, 0.0, 0.0), v]),
         ("ENDED", [start.with_w(100.0), start, v]),
         ("STALLED", [start, start, v]),
@@ -112,7 +112,7 @@ fn fates_in_their_order() {
     }
 }
 
-/// Parts that find where a path ends, with RK4 steps of one size round a hole of mass 1.
+/// Returns the modules that find the end of a path, with RK4 steps of one size around a black hole of mass 1.
 fn path_end(step: f64) -> Probe {
     let parts = [
         "segment/ray",
@@ -148,7 +148,7 @@ const PATH_END: &str = "let ray = Ray(Phase(p0.xyz, p1.xyz), 0.5, 0.0, Memory(0.
     put(0u, vec4f(end.x, end.tau));
     put(1u, vec4f(end.v, end.fraction));";
 
-/// Rays whose next step crosses the sphere, outwards or inwards, and which at first move away from it or not.
+/// Returns rays whose next step crosses the sphere, outward or inward, and which first move away from it or not.
 fn crossing(name: &str, sphere: f64, step: f64, turns: bool) -> Vec<[Vec4; 2]> {
     let mut random = Random::new(132);
     let mut inputs = Vec::new();
@@ -172,8 +172,8 @@ fn check_crossing(name: &str, sphere: f64, step: f64, inputs: &[[Vec4; 2]]) {
     let out = path_end(step).run::<2, 2>(&gpu(), PATH_END, inputs);
     for (input, output) in inputs.iter().zip(&out) {
         let fraction = f64::from(output[1].w);
-        // Newton's method stops at a correction that rounding makes: of the place and of |x|. Nearly tangential rays are
-        // among them, which the secant's guess alone would leave far off.
+        // Newton's method stops when rounding determines the correction, of the position and of |x|. Some rays are nearly tangential, for
+        // which the secant's estimate alone would be far off.
         gaps.check(wide(output[0]).length() as f32, sphere, 16.0 * U * sphere, input);
         let end = rk4(path_rate, [wide(input[0]), wide(input[1])], fraction * step);
         let near = 60.0 * U * 3.0 / (0.5 * sphere).powi(2) * step * step;
@@ -193,13 +193,13 @@ fn last_steps_are_retaken_to_where_they_stop() {
     }
 }
 
-/// A grazing ray may first move inwards and leave in the same step: the sphere is further off, then nearer.
+/// A grazing ray may first move inward and leave in the same step: the sphere is first further off, then nearer.
 #[test]
 fn last_steps_that_turn_before_they_leave() {
     check_crossing("ESCAPED", RADIUS, 4.0, &crossing("ESCAPED", RADIUS, 4.0, true));
 }
 
-/// A ray that never started stays where it is; one that ended at its length is at its last step's end.
+/// A ray that never started stays in place; one that ended at its length is at the end of its last step.
 #[test]
 fn ends_that_need_no_search() {
     let step = 4.0;

@@ -10,12 +10,12 @@ use super::schemes::{path_rate, rk4};
 use super::{Errors, Random, U, row, wide};
 use crate::support::gpu;
 
-/// η · scale of a ray round the hole; it errs by 6 U.
+/// Returns η · scale of a ray around the black hole, with an error of 6 U.
 fn cap(input: &[Vec4; 2]) -> f64 {
     ETA * wide(input[0]).length() / wide(input[1]).length()
 }
 
-/// Steps of one size, shorter where the cap is less; both a little and a lot of the rays are under it.
+/// Steps of one size, or the cap if it is smaller; the cap applies to many rays, but not to all.
 #[test]
 fn fixed_steps() {
     let inputs = rays(61);
@@ -28,7 +28,7 @@ fn fixed_steps() {
             let taken = f64::from(output[2].x);
             let longest = cap(input);
             capped += usize::from(longest < step);
-            // The step itself is passed on as it is.
+            // The uncapped step is used unchanged.
             let bound = if longest < 0.999 * step { 6.0 * U * longest } else { 0.0 };
             if (longest - step).abs() > 1e-3 * step {
                 sizes.check(output[2].x, step.min(longest), bound, input);
@@ -36,7 +36,7 @@ fn fixed_steps() {
             assert_eq!(
                 (output[1].w, output[2].w),
                 (input[1].w, 20.0),
-                "what was remembered stays, nothing is rejected"
+                "the memory does not change, and nothing is rejected"
             );
             kept.check(input, output, rk4(path_rate, [wide(input[0]), wide(input[1])], taken));
         }
@@ -62,20 +62,20 @@ fn scaled_steps() {
 
 const TURN: f64 = 0.02;
 
-/// The sizes that h = turn |v|²/|v × a| may come out as, before the cap.
+/// Returns the possible range of h = turn |v|²/|v × a|, before the cap.
 fn curved(input: &[Vec4; 2]) -> [f64; 2] {
     let p = [0, 1].map(|k| Rough::exact(wide(input[k]), U));
     let a = rough_bend(p)(p[0]);
     let v = p[1].value;
     let bend = v.cross(a.value).length();
-    // A component of v × a errs by 3 U of |v| |a|, two products and their difference, and the root of their squares by 3 U.
+    // A component of v × a errs by 3 U of |v| |a|, two products and their difference, and the root of the sum of squares by 3 U.
     let off = v.length() * a.bound() + 6.0 * U * v.length() * a.value.length() + 3.0 * U * bend;
     // turn |v|², its quotient and the f32 of turn: 6 U.
     [1.0 - 6.0 * U, 1.0 + 6.0 * U]
         .map(|slack| TURN * v.length_squared() / (bend - (slack - 1.0).signum() * off).max(0.0) * slack)
 }
 
-/// Each step turns the ray through the same angle: h = turn |v|²/|v × a|, or η · scale where that is less.
+/// Each step turns the ray through a constant angle: h = turn |v|²/|v × a|, or η · scale if that is smaller.
 #[test]
 fn steps_by_curvature() {
     let mut inputs = rays(66);
@@ -83,7 +83,7 @@ fn steps_by_curvature() {
     for [_, v] in &mut inputs {
         *v *= Vec3::splat(random.log(0.5, 2.0) as f32).extend(1.0);
     }
-    // Straight through the center the ray does not turn at all.
+    // A ray straight through the center does not turn at all.
     inputs.extend([1.0, -1.0].map(|s| [row(Vec3::X * 7.0, 0.0), row(Vec3::X * s, 0.0)]));
     let radial = inputs.len() - 2;
     let values = vec![("turn", Float(TURN)), ("eta", Float(ETA))];
@@ -102,7 +102,7 @@ fn steps_by_curvature() {
         let end = rk4(path_rate, p, taken);
         kept.check(input, output, end);
         capped += usize::from(shortest > cap(input));
-        // v × x is constant, so that |v × a| ∝ r⁻⁵; |v| changes by |a| h. The angle is off by what both change on the way.
+        // v × x is constant, so that |v × a| ∝ r⁻⁵; |v| changes by |a| h. The change of both during the step is the error of the angle.
         let (r, speed) = (p[0].length(), p[1].length());
         let change = 5.0 * taken * speed / (r - taken * speed) + 2.0 * path_rate(p)[1].length() * taken / speed;
         if shortest < 0.99 * cap(input) && change < 0.3 {
@@ -116,7 +116,7 @@ fn steps_by_curvature() {
     turns.report();
 }
 
-/// A flow's v turns by DF · F; the law takes a difference over a small time ε, whose square term a quadratic field has exactly.
+/// The v of a flow turns by DF · F; the law uses a difference over a small time ε, with the exact second-order term of a quadratic field.
 #[test]
 fn a_flow_bends_as_its_field_changes() {
     let inputs = phases(67, [0.5, 50.0], [1.0, 1.0]);
@@ -130,8 +130,8 @@ fn a_flow_bends_as_its_field_changes() {
         let along =
             DVec3::new(10.0 * (f.y - f.x), (28.0 - x.z) * f.x - f.y - x.x * f.z, x.y * f.x + x.x * f.y - beta * f.z);
         let want = along + epsilon * DVec3::new(0.0, -f.x * f.z, f.x * f.y);
-        // Both values of the field err by 4 U of their terms, and the second's place by 2 U, where the field's slope is at
-        // most 60 + 2 |x|; the quotient by 3 U.
+        // Both values of the field err by 4 U of their terms, and the second position by 2 U, times a slope of the field of at most 60 + 2
+        // |x|; the quotient errs by 3 U.
         let place = 2.0 * U * (x.length() + 1e-3 * f.length()) * (60.0 + 2.0 * x.length());
         let (_, later) = lorenz(x + epsilon * f);
         bends.check3(*output, want, (4.0 * U * (terms + later) + place) / epsilon + 4.0 * U * want.length(), input);

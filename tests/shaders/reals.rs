@@ -11,7 +11,7 @@ use crate::support::probe::Probe;
 /// U of f64.
 pub const U64: f64 = 0.5 * f64::EPSILON;
 
-/// `real` takes a row as [`split`] makes it; `put_real` writes one that [`joined`] takes; `times` is exact if the result is normal.
+/// `real` reads a row from [`split`]; `put_real` writes one for [`joined`]; `times` is exact if the result is normal.
 pub const REALS: &str = "fn times(a: Real, s: f32) -> Real {
     let s4 = Real(s) * Real(s) * Real(s) * Real(s);
     return a * s4 * s4;
@@ -34,7 +34,7 @@ fn put_real3(k: u32, a: Real3) {
 }
 ";
 
-/// The s for which s⁸ v lies near 1.
+/// Returns the s for which s⁸ v is near 1.
 pub fn scale_of(v: f64) -> f32 {
     if v == 0.0 || !v.is_finite() {
         return 1.0;
@@ -42,13 +42,13 @@ pub fn scale_of(v: f64) -> f32 {
     2.0_f32.powi(-(v.abs().log2() / 8.0).round().clamp(-126.0, 126.0) as i32)
 }
 
-/// s⁸ v.
+/// Returns s⁸ v.
 pub fn times(v: f64, s: f32) -> f64 {
     let s4 = f64::from(s).powi(4);
     v * s4 * s4
 }
 
-/// An f64 as an input row.
+/// Returns an f64 as an input row.
 pub fn split(v: f64) -> Vec4 {
     if v == 0.0 || !v.is_finite() {
         return Vec4::new(v as f32, 0.0_f32.copysign(v as f32), 0.0_f32.copysign(v as f32), 1.0);
@@ -61,18 +61,18 @@ pub fn split(v: f64) -> Vec4 {
     Vec4::new(high, middle, low, 1.0 / scale)
 }
 
-/// The f64 of an output row.
+/// Returns the f64 of an output row.
 pub fn joined(row: Vec4) -> f64 {
     let high = f64::from(row.x);
     if high.is_finite() { high + f64::from(row.y) + f64::from(row.z) } else { high }
 }
 
-/// The vector of three output rows.
+/// Returns the vector of three output rows.
 pub fn joined3(rows: &[Vec4]) -> DVec3 {
     DVec3::new(joined(rows[0]), joined(rows[1]), joined(rows[2]))
 }
 
-/// The device's answers, one f64 for each row that the body writes.
+/// Returns the answers of the device, one f64 for each row that the body writes.
 pub fn answers<const I: usize, const O: usize>(
     probe: Probe,
     gpu: &Gpu,

@@ -1,4 +1,4 @@
-//! Samples of a pixel, and the image plane.
+//! The samples of a pixel, and the image plane.
 
 use std::collections::BTreeSet;
 
@@ -7,7 +7,7 @@ use glam::Vec4;
 
 use crate::support::{gpu, probe::Probe};
 
-/// `frame` as a variable of the probe's own, so that one program takes every sample.
+/// `frame` as a private variable of the probe, so that one program takes every sample.
 const FRAME: &str = "struct Frame {
     sample: u32,
 }
@@ -16,7 +16,7 @@ var<private> frame: Frame;";
 
 const SIDE: u32 = 8;
 
-/// Multi-jittered samples (Kensler 2013): in each of m × n cells one, and one in each of N columns and N rows.
+/// Multi-jittered samples (Kensler 2013): one in each of m × n cells, and one in each of N columns and N rows.
 #[test]
 fn multi_jittered_samples() {
     let gpu = gpu();
@@ -43,7 +43,7 @@ fn multi_jittered_samples() {
                 columns.insert(slot(x[0], count));
                 rows.insert(slot(x[1], count));
                 cells.insert([slot(x[0], grid[0]), slot(x[1], grid[1])]);
-                // To a thousandth: places in other pixels round differently.
+                // Rounded to a thousandth, because positions in other pixels have other rounding errors.
                 pattern.push(x.map(|c| (c * 1000.0) as u32));
                 means = [means[0] + x[0], means[1] + x[1]];
             }
@@ -57,7 +57,7 @@ fn multi_jittered_samples() {
             patterns.insert(pattern);
         }
         assert_eq!(patterns.len() as u32, SIDE * SIDE, "grid {grid:?}: two pixels have the same samples");
-        // The mean of K stratified samples is ½ within 1/√(12 K) even without strata; four times that.
+        // The mean of K samples is ½ within 1/√(12 K) even without strata; the bound is four times that.
         for mean in means.map(|sum| sum / inputs.len() as f64) {
             assert!(
                 (mean - 0.5).abs() < 4.0 / (12.0 * inputs.len() as f64).sqrt(),
@@ -74,8 +74,8 @@ fn sobol(index: u32) -> [u32; 2] {
     [index.reverse_bits(), (0..32).map(|row| second(row) << (31 - row)).sum()]
 }
 
-/// Owen's scrambling bit by bit: Laine and Karras's hash carries only upwards, so that on reversed bits the flip of each depends
-/// on those above it alone.
+/// Returns Owen scrambling bit by bit: the Laine–Karras hash carries only upward, so that on reversed bits the flip of each bit depends
+/// only on the bits above it.
 fn scrambled(x: u32, seed: u32) -> u32 {
     let hash = |v: u32| {
         let v = v ^ v.wrapping_mul(0x3d20_adea);
@@ -88,15 +88,15 @@ fn scrambled(x: u32, seed: u32) -> u32 {
     (0..32).map(bit).sum::<u32>().reverse_bits()
 }
 
-/// PCG's output function.
+/// Returns the output function of PCG.
 fn hashed(seed: u32) -> u32 {
     let state = seed.wrapping_mul(747_796_405).wrapping_add(2_891_336_453);
     let word = ((state >> ((state >> 28) + 4)) ^ state).wrapping_mul(277_803_737);
     (word >> 22) ^ word
 }
 
-/// Every prefix of 2^k progressive samples has one in each of the 2^k boxes of any shape with sides that are powers of two, and
-/// each is where the sequence has it.
+/// Every prefix of 2^k progressive samples has one sample in each of the 2^k boxes of any shape with sides that are powers of two, and each
+/// agrees with the sequence.
 #[test]
 fn progressive_samples() {
     const COUNT: u32 = 64;
@@ -116,7 +116,7 @@ fn progressive_samples() {
             let own = sobol(s);
             for (k, got) in [point.x, point.y].into_iter().enumerate() {
                 let want = f64::from(scrambled(own[k], seeds[k])) / 4_294_967_296.0;
-                // Added to the pixel's place, in 32 bits, and taken off again.
+                // The sample was added to the position of the pixel in 32 bits, and subtracted again.
                 assert!((f64::from(got) - want).abs() < 1e-6, "sample {s} of pixel {i}: {got} is not {want}");
             }
         }

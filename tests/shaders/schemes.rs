@@ -1,13 +1,13 @@
-//! The methods written anew, over any kind of vector: exact ones, and such as carry a bound on their rounding errors.
+//! Independent implementations of the methods over any kind of vector: exact ones, and ones with a bound on their rounding errors.
 
 use glam::DVec3;
 
-/// What a method asks of places and velocities.
+/// The operations that a method needs on positions and velocities.
 pub trait Vector: Copy {
-    /// self + h Σ a k.
+    /// Returns self + h Σ a k.
     fn plus(self, h: f64, terms: &[(f64, Self)]) -> Self;
 
-    /// h Σ a k.
+    /// Returns h Σ a k.
     fn sum(h: f64, terms: &[(f64, Self)]) -> Self;
 }
 
@@ -23,23 +23,23 @@ impl Vector for DVec3 {
 
 pub type Phase = [DVec3; 2];
 
-/// Schwarzschild's path form about 0, M = 1: the acceleration along a ray whose h² is that of p.
+/// Returns the acceleration of the Schwarzschild path form around 0, M = 1, along a ray with the h² of p.
 pub fn path_bend(p: Phase) -> impl Fn(DVec3) -> DVec3 {
     let held = p[0].cross(p[1]).length_squared();
     move |x| -3.0 * held / x.length().powi(5) * x
 }
 
-/// The same as a law of the first order.
+/// Returns the rate of the path form as a law of the first order.
 pub fn path_rate(p: Phase) -> Phase {
     rate_of(path_bend, p)
 }
 
-/// The field of Lorenz with β = 8/3 in f32.
+/// Returns the Lorenz field with β = 8/3 in f32.
 pub fn lorenz_field(x: DVec3) -> DVec3 {
     DVec3::new(10.0 * (x.y - x.x), 28.0 * x.x - x.y - x.x * x.z, x.x * x.y - f64::from(8.0_f32 / 3.0) * x.z)
 }
 
-/// A law of the second order as one of the first.
+/// Returns the rate of a law of the second order as one of the first.
 pub fn rate_of<V: Vector, A: Fn(V) -> V>(bend: impl Fn([V; 2]) -> A, p: [V; 2]) -> [V; 2] {
     [p[1], bend(p)(p[0])]
 }
@@ -66,7 +66,7 @@ pub fn leapfrog<V: Vector, A: Fn(V) -> V>(bend: impl Fn([V; 2]) -> A, p: [V; 2],
     [middle.plus(0.5 * h, &[(1.0, v)]), v]
 }
 
-/// Nyström's weights (Hairer, Nørsett, Wanner I, Table II.14.2): the places of x″ = a(x)'s stages, x's weights and v's.
+/// Takes a Nyström step (Hairer, Nørsett, Wanner I, Table II.14.2): the positions of the stages of x″ = a(x), and the weights of x and v.
 pub fn rkn4<V: Vector, A: Fn(V) -> V>(bend: impl Fn([V; 2]) -> A, p: [V; 2], h: f64) -> [V; 2] {
     let a = bend(p);
     let stage = |c: f64, coefficient: f64, k: V| p[0].plus(h, &[(c, p[1]), (coefficient * h, k)]);
@@ -77,20 +77,20 @@ pub fn rkn4<V: Vector, A: Fn(V) -> V>(bend: impl Fn([V; 2]) -> A, p: [V; 2], h: 
     [x, p[1].plus(h, &[(1.0 / 6.0, k1), (2.0 / 3.0, k2), (1.0 / 6.0, k3)])]
 }
 
-/// An embedded pair whose last stage is its own result: the stages' coefficients, and the weights of the other result.
+/// An embedded pair whose last stage is its result: the coefficients of the stages, and the weights of the other result.
 #[derive(Clone, Copy)]
 pub struct Pair {
     pub stages: &'static [&'static [f64]],
     pub others: &'static [f64],
 }
 
-/// Bogacki and Shampine, *A 3(2) pair of Runge–Kutta formulas* (1989).
+/// The Bogacki–Shampine pair, *A 3(2) pair of Runge–Kutta formulas* (1989).
 pub const BOGACKI_SHAMPINE: Pair = Pair {
     stages: &[&[0.5], &[0.0, 0.75], &[2.0 / 9.0, 1.0 / 3.0, 4.0 / 9.0]],
     others: &[7.0 / 24.0, 1.0 / 4.0, 1.0 / 3.0, 1.0 / 8.0],
 };
 
-/// Dormand and Prince (1980), as in Hairer, Nørsett, Wanner I, Table II.5.2.
+/// The Dormand–Prince pair (1980), as in Hairer, Nørsett, Wanner I, Table II.5.2.
 pub const DORMAND_PRINCE: Pair = Pair {
     stages: &[
         &[1.0 / 5.0],
@@ -104,7 +104,7 @@ pub const DORMAND_PRINCE: Pair = Pair {
 };
 
 impl Pair {
-    /// The end, the difference of the two results, and the rate at the end.
+    /// Returns the end, the difference of the two results, and the rate at the end.
     pub fn step<V: Vector>(&self, rate: impl Fn([V; 2]) -> [V; 2], p: [V; 2], h: f64) -> [[V; 2]; 3] {
         let mut rates = vec![rate(p)];
         let mut end = p;

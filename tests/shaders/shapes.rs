@@ -1,5 +1,4 @@
-//! Tests the intersections of straight pieces with spheres, ellipsoids, boxes, cylinders, planes and disks, and the inside of
-//! these shapes.
+//! Tests the intersections of line segments with spheres, ellipsoids, boxes, cylinders, planes and disks, and the inside of these shapes.
 
 use bentray::model::Value::{Float, Uint, Vec3 as V3, Vec4 as V4};
 use glam::{DMat3, DQuat, DVec3, DVec4, Vec4};
@@ -24,10 +23,10 @@ pub const PARTS: [&str; 10] = [
     "shape/disk",
 ];
 
-/// Of every disk: in own units, and exact in f32.
+/// The inner radius of every disk, in object space and exact in f32.
 pub const HOLE: f64 = 0.25;
 
-/// A shape's place: the affine map from the scene's space to its own, rounded to f32 first.
+/// The placement of a shape: the affine map from the scene's space to object space, rounded to f32.
 #[derive(Clone, Copy)]
 pub struct Place {
     pub linear: DMat3,
@@ -64,7 +63,7 @@ impl Place {
         ]
     }
 
-    /// What a segment is tested against: a ball, or the map alone.
+    /// Returns the data that a segment is tested with: a ball, or only the map.
     pub fn tested(&self, kind: &str) -> Record {
         let wanted: &[&str] = if kind == "sphere" { &["center", "radius"] } else { &["row_x", "row_y", "row_z"] };
         let mut record: Record = self.record(0).into_iter().filter(|(name, _)| wanted.contains(name)).collect();
@@ -72,8 +71,8 @@ impl Place {
         record
     }
 
-    /// By how much the shader's own coordinates of a point of the piece may be off: four roundings of terms as large as
-    /// |row| |x|, for the start, the direction, and their sum, and as many in the test itself.
+    /// Returns a bound on the error of the shader's object-space coordinates of a point on the piece: four roundings of terms as large as
+    /// |row| |x| for the start, the direction and their sum, and as many in the intersection.
     fn moved(&self, a: DVec3, b: DVec3) -> f64 {
         let size = self.linear.x_axis.abs() + self.linear.y_axis.abs() + self.linear.z_axis.abs();
         12.0 * U * (size.max_element() * (a.length() + b.length()) + self.offset.length() + 1.0)
@@ -90,13 +89,13 @@ pub fn balls(seed: u64) -> [Place; 2] {
     [1.0, 0.375].map(|radius| Place::new(&mut random, DVec3::splat(radius)))
 }
 
-/// A small shape and a large one.
+/// Returns a small shape and a large one.
 fn extremes(seed: u64) -> [Place; 2] {
     let mut random = Random::new(seed);
     [DVec3::new(0.03, 0.02, 0.04), DVec3::new(300.0, 100.0, 200.0)].map(|scale| Place::new(&mut random, scale))
 }
 
-/// Pieces short and long, near and far, from outside, inside and along the axes, most of them aimed at a shape.
+/// Returns short and long pieces, near and far, from outside, inside and along the axes, most of them aimed at a shape.
 fn pieces(seed: u64, targets: [Place; 2]) -> Vec<[Vec4; 2]> {
     let mut random = Random::new(seed);
     let mut all = Vec::new();
@@ -127,7 +126,7 @@ fn pieces(seed: u64, targets: [Place; 2]) -> Vec<[Vec4; 2]> {
     all
 }
 
-/// Where the line is inside a closed shape, its size off by so much in its own space.
+/// Returns the intervals of the line inside a closed shape whose size in object space is increased by `grown`.
 fn intervals(kind: &str, place: &Place, a: DVec3, b: DVec3, grown: f64) -> Vec<Option<[f64; 2]>> {
     let (p, d) = (place.own(a), place.linear * (b - a));
     match kind {
@@ -139,7 +138,7 @@ fn intervals(kind: &str, place: &Place, a: DVec3, b: DVec3, grown: f64) -> Vec<O
     }
 }
 
-/// All results of a shape under errors of either sign in its size and in t.
+/// Returns all results for a shape under errors of either sign in its size and in t.
 fn results(kind: &str, place: &Place, a: DVec3, b: DVec3) -> Vec<Option<f64>> {
     let moved = place.moved(a, b);
     let (p, d) = (place.own(a), place.linear * (b - a));
@@ -233,7 +232,7 @@ fn analytic_shapes() {
                 {
                     assert_eq!(hit.y, f32::from(u8::from(each[0] == Verdict::Miss)), "{kind}: which one");
                 }
-                // What is nearer already stays.
+                // A nearer hit is kept.
                 let kept = if hit.x < 0.3 { [hit.x, hit.y] } else { [0.3, -1.0] };
                 assert_eq!([hit.z, hit.w], kept, "{kind}: the nearest hit, at {input:?}");
                 let far = (a.length() + b.length() + 8.0) / (b - a).length();
@@ -248,12 +247,12 @@ fn analytic_shapes() {
     }
 }
 
-/// Both ends, where they are on the piece or near it; and that there are none where a line passes by.
+/// Checks both ends if they are on the piece or near it, and that lines that pass by have none.
 fn check_intervals<'a>(kind: &'static str, place: &Place, cases: impl Iterator<Item = (&'a [Vec4; 2], Vec4)>) {
     let (mut ends, mut missed) = (Errors::of("interval"), 0);
     for (input, got) in cases {
         let (a, b) = (wide(input[0]), wide(input[1]));
-        // Up to twice the piece's length away, where errors of the direction count twice.
+        // The ends may be up to twice the length of the piece away, where errors of the direction count twice.
         let moved = 3.0 * place.moved(a, b);
         let all: Vec<_> = [moved, -moved].iter().flat_map(|grown| intervals(kind, place, a, b, *grown)).collect();
         if all.iter().all(Option::is_none) {
@@ -284,7 +283,7 @@ fn nearest(each: [Verdict; 2]) -> Verdict {
     }
 }
 
-/// A piece without length hits nothing.
+/// Checks that a piece of zero length hits nothing.
 fn standing_still(gpu: &bentray::gpu::Gpu, probe: &Probe, kind: &str, target: &Place) {
     let inputs = [[row(target.center.as_vec3(), 0.0)], [Vec4::new(50.0, 1.0, -20.0, 0.0)]];
     let body = "let hit = first_of_list(p0.xyz, p0.xyz, Hit(2.0, NOTHING)); put(0u, vec4f(hit.t));";

@@ -1,4 +1,4 @@
-//! Paths from a light to a place about one center, against conics in closed form.
+//! Paths from a light to a position around one center, compared with conics in closed form.
 
 use std::f64::consts::PI;
 
@@ -10,18 +10,18 @@ use crate::support::{gpu, probe::Probe};
 
 const SCENE: &str = "[law]\nkind = \"sources\"\n[[law.sources]]\nposition = [0, 0, 0]\nstrength = 1\n[rays]\nbounding_sphere = { radius = 50 }\n";
 
-/// A path: its unit direction at the light and at the place, the spread there, and how much its directions hang
-/// on a rounding: by how far its end moves in the plane for an angle at the light, and by how slow it arrives.
+/// A path: its unit direction at the light and at the position, the spread there, and a condition number of its directions: the change of
+/// its end in the plane per angle at the light, and its speed at the end.
 type Conic = (DVec3, DVec3, f64, f64);
 
-/// u(φ) of the conic that leaves r = 1/u₀ with cot ψ = c, ψ from outward, |v| = 1: M/h² + (u₀ − M/h²) cos φ − u₀ c sin φ with
-/// 1/h² = u₀²(1 + c²).
+/// Returns u(φ) of the conic that leaves r = 1/u₀ with cot ψ = c, ψ from outward, |v| = 1: M/h² + (u₀ − M/h²) cos φ − u₀ c sin φ with 1/h²
+/// = u₀²(1 + c²).
 fn reciprocal(m: f64, near: f64, c: f64, angle: f64) -> f64 {
     let pull = m * near * near * (1.0 + c * c);
     pull + (near - pull) * angle.cos() - near * c * angle.sin()
 }
 
-/// Every path from s to x about the origin that goes less than once round: the roots of a quadratic in cot ψ, by either side.
+/// Returns every path from s to x around the origin through less than a full turn: the roots of a quadratic in cot ψ, for either side.
 fn conics(m: f64, s: DVec3, x: DVec3) -> Vec<Conic> {
     let (near, far) = (1.0 / s.length(), 1.0 / x.length());
     let n = s * near;
@@ -54,7 +54,7 @@ fn conics(m: f64, s: DVec3, x: DVec3) -> Vec<Conic> {
     found
 }
 
-/// A thousand places and lights about an attracting center and a repelling one: as many paths, and each where it is.
+/// Checks the number of paths and each path for a thousand pairs of positions and lights around an attractive and a repulsive center.
 #[test]
 fn shots_about_a_centre_are_conics() {
     for m in [1.0, -0.6] {
@@ -97,7 +97,7 @@ fn shots_about_a_centre_are_conics() {
         for ((s, x), shots) in pairs.iter().zip(out.chunks(4)) {
             let mut wanted = conics(m, *s, *x);
             let found: Vec<_> = shots.iter().filter(|shot| shot[0].w == 1.0).collect();
-            // Where two paths are about to become one, or a place is nearly behind the center, roundings decide.
+            // Rounding decides if two paths are about to merge, or a position is nearly behind the center.
             let angle = (x.normalize() - s.normalize()).length().min((x.normalize() + s.normalize()).length());
             if angle < 0.02 || wanted.iter().any(|(_, _, spread, _)| *spread < 0.2) {
                 continue;
@@ -110,7 +110,7 @@ fn shots_about_a_centre_are_conics() {
                 let Some((at_light, at_place, spread, loose)) = wanted.first() else { continue };
                 let bound = (8.0 * U * loose).max(1e-5);
                 directions.check(at_light.distance(leaves).max(at_place.distance(arrives)), 0.0, bound, (s, x, m));
-                // A derivative by differences, which are as close as the last digits allow.
+                // The derivative uses differences, which are as accurate as the last digits allow.
                 spreads.check(f64::from(shot[1].w) / spread, 1.0, 2e-3, (s, x, m));
             }
         }

@@ -1,4 +1,4 @@
-//! Force centers: every fall-off, and sums of several.
+//! Force centers: every falloff, and sums of several.
 
 use bentray::model::Value::{Float, Vec3 as V3};
 use glam::{DVec3, Vec4};
@@ -10,7 +10,7 @@ use crate::support::{
     probe::{Probe, about_a_point},
 };
 
-/// A center: position, strength, and what its fall-off has besides (a radius, μ); all exact in f32.
+/// A center: position, strength, and the additional parameter of its falloff (a radius, μ); all exact in f32.
 type Centre = (DVec3, f64, f64);
 
 const INVERSE_SQUARE: [Centre; 3] = [
@@ -44,7 +44,7 @@ falloff = { yukawa = 0.5 }
 bounding_sphere = { radius = 50 }
 "#;
 
-/// d(r) n̂ of each fall-off, and the relative error of its terms.
+/// Returns d(r) n̂ of each falloff, and the relative error of its terms.
 fn pull(kind: &str, x: DVec3, (position, strength, extra): Centre) -> (DVec3, f64) {
     let d = x - position;
     let r = d.length();
@@ -53,17 +53,17 @@ fn pull(kind: &str, x: DVec3, (position, strength, extra): Centre) -> (DVec3, f6
     }
     let n = d / r;
     match kind {
-        // x − c rounds once per component, which r³ has thrice, and ten operations follow.
+        // x − c rounds once per component, which r³ contains three times, and ten operations follow.
         "inverse_square" => (-strength / (r * r) * n, 16.0 * U * strength.abs() / (r * r)),
         "cubic" => {
             let q = (r / extra).min(1.0);
-            // Terms up to 3 that sum to d(r): their roundings count, not the sum's.
+            // Terms up to 3 that sum to d(r): the error comes from their roundings, not from the sum.
             (-strength * (2.0 * q.powi(3) - 3.0 * q * q + 1.0) * n, 16.0 * U * strength.abs() * (1.0 + 5.0 * q * q))
         }
         _ => {
             let m = extra * r;
             let d = (-m).exp() * (1.0 + m) / (r * r);
-            // WGSL allows exp an error of 3 + 2 |m| units in the last place (2 U each), and m's own rounding counts m times.
+            // WGSL allows exp an error of 3 + 2 |m| units in the last place (2 U each), and the rounding of m counts m times.
             (-strength * d * n, (24.0 + 10.0 * m) * U * strength.abs() * d)
         }
     }
@@ -156,7 +156,7 @@ fn falloffs_one_by_one_and_summed() {
     }
 }
 
-/// The cubic fall-off has no direction at its center, where it must still be finite; outside R it is exactly 0.
+/// At its center the cubic falloff has no direction but must be finite; outside R it is exactly 0.
 #[test]
 fn cubic_at_its_centre_and_outside() {
     let inputs =
@@ -165,11 +165,11 @@ fn cubic_at_its_centre_and_outside() {
         probe().run::<1, 1>(&gpu(), "put(0u, vec4f(cubic_acceleration(p0.xyz), cubic_distance(p0.xyz)));", &inputs);
     let (alone, _) = pull("cubic", CUBIC[0].0, CUBIC[1]);
     assert!((wide(out[0][0]) - alone).length() < 1e-6, "{} is not {alone}", out[0][0]);
-    assert!(out[0][0].w > 0.0, "steps may not shrink to nothing at a cubic centre");
+    assert!(out[0][0].w > 0.0, "steps may not shrink to nothing at a cubic center");
     assert_eq!((wide(out[1][0]), wide(out[2][0])), (DVec3::ZERO, DVec3::ZERO));
 }
 
-/// The way from a line is what is left of d across its direction: u × (d × u).
+/// The displacement from a line is the part of d across its direction: u × (d × u).
 #[test]
 fn the_way_from_a_line_is_across_it() {
     let inputs = phases(22, [0.01, 1e4], [1e-3, 1e3]).into_iter().flat_map(|[place, _]| {
@@ -181,7 +181,7 @@ fn the_way_from_a_line_is_across_it() {
     let mut errors = Errors::of("way from a line");
     for (input, output) in inputs.iter().zip(&out) {
         let (d, u) = (wide(input[0]), wide(input[1]).normalize());
-        // u is a unit vector to 2 U, and the dot product rounds six times before it is taken away twice over.
+        // u is a unit vector up to 2 U, and the dot product rounds six times before its multiple is subtracted.
         errors.check3(output[0], u.cross(d.cross(u)), 16.0 * U * d.length(), input);
     }
     errors.report();

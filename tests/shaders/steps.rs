@@ -9,10 +9,10 @@ use super::schemes::{BOGACKI_SHAMPINE, DORMAND_PRINCE, Phase, euler, leapfrog, l
 use super::{Random, U, row, wide};
 use crate::support::{gpu, probe::Probe};
 
-/// What a step puts out: its end, and of an embedded pair the difference of its two results and the rate at the end too.
+/// The output of a step: its end, and for an embedded pair also the difference of its two results and the rate at the end.
 type Steps<V> = Vec<[V; 2]>;
 
-/// A method: its part, itself over vectors that carry their errors, the orders of what it puts out, and a size at which they show.
+/// A method: its module, its form over vectors that carry their errors, the orders of its outputs, and a step size that reveals them.
 struct Method {
     part: &'static str,
     rough: fn([Rough; 2], f64) -> Steps<Rough>,
@@ -56,7 +56,7 @@ impl Method {
         if self.is_pair() { vec!["method/control/embedded", self.part] } else { vec![self.part] }
     }
 
-    /// A probe's lines that take one step of p0.w from (p0, p1) and put out all that it makes.
+    /// Returns lines of a probe that take one step of p0.w from (p0, p1) and write its outputs.
     fn body(&self) -> &'static str {
         if self.is_pair() {
             "let p = Phase(Real3(p0.xyz), Real3(p1.xyz));
@@ -74,7 +74,7 @@ impl Method {
         }
     }
 
-    /// What the device makes of the inputs.
+    /// Returns the results of the device for the inputs.
     fn taken(&self, law: &Law, real: &str, inputs: &[[Vec4; 2]]) -> Vec<Steps<DVec3>> {
         let mut parts = vec!["segment/ray", "law/phase_space", real];
         parts.extend(law.parts);
@@ -89,7 +89,7 @@ impl Method {
     }
 }
 
-/// A law's parts, and its binding's values.
+/// The modules of a law, and the values of its binding.
 struct Law {
     parts: &'static [&'static str],
     binding: &'static str,
@@ -106,8 +106,8 @@ fn lorenz(parts: &'static [&'static str]) -> Law {
     Law { parts, binding: "flow", record }
 }
 
-/// Every output of every method, within what its own roundings can make of it: in f32, and in f64, where a coefficient with
-/// a wrong digit would show.
+/// Checks that every output of every method is within its rounding error: in f32, and in f64, where a wrong digit of a coefficient would be
+/// visible.
 #[test]
 fn one_step_of_each_method() {
     let mut random = Random::new(51);
@@ -128,7 +128,7 @@ fn one_step_of_each_method() {
                 assert_eq!(wanted.len(), output.len());
                 for (got, want) in output.iter().flatten().zip(wanted.iter().flatten()) {
                     let ratio = (*got - want.value).length() / want.bound();
-                    // What is not a number stays the worst.
+                    // NaN remains the largest error.
                     if ratio > worst || ratio.is_nan() {
                         (worst, at) = (ratio, format!("{got} for {} at {input:?}", want.value));
                     }
@@ -141,7 +141,7 @@ fn one_step_of_each_method() {
     }
 }
 
-/// Lorenz' system as a flow, and as an acceleration.
+/// Returns the Lorenz system as a flow, and as an acceleration.
 fn lorenz_rates(second_order: bool) -> (Law, fn(Phase) -> Phase) {
     if second_order {
         (lorenz(&["law/field_lorenz", "law/flow_acceleration"]), |p| [p[1], lorenz_field(p[0])])
@@ -150,13 +150,13 @@ fn lorenz_rates(second_order: bool) -> (Law, fn(Phase) -> Phase) {
     }
 }
 
-/// The state after h by many tiny steps.
+/// Returns the state after h, by many tiny steps.
 fn exact(rate: fn(Phase) -> Phase, start: Phase, h: f64) -> Phase {
     (0..50).fold(start, |p, _| DORMAND_PRINCE.end(rate, p, h / 50.0))
 }
 
-/// A method of order p errs by h^(p + 1) in a step, and so does what a pair says of its lower one: in f64, over sizes where
-/// truncation stays far above rounding.
+/// The error of a method of order p in one step is proportional to h^(p + 1), and so is the error estimate of a pair for its lower order:
+/// in f64, over sizes for which truncation is far above rounding.
 #[test]
 fn local_errors_fall_as_their_order_says() {
     let mut random = Random::new(52);

@@ -1,4 +1,4 @@
-//! Tests the data of a point on a surface: distance, normal, texture coordinates, owner.
+//! Tests the data of a point on a surface: distance, normal, texture coordinates, object.
 
 use std::f64::consts::{PI, TAU};
 
@@ -8,17 +8,17 @@ use super::shapes::{HOLE, PARTS, Place, balls, places};
 use super::{Errors, Random, U, wide};
 use crate::support::{gpu, probe::Probe};
 
-/// A point near a surface in the shape's own space, and what is expected there.
+/// A point near a surface in object space, and the expected data there.
 struct Expected {
     place: usize,
     own: DVec3,
-    /// The gradient in its own space whose zero is the surface, and its value there.
+    /// The gradient in object space of a function that is zero on the surface, and its value there.
     gradient: DVec3,
     value: f64,
     uv: [f64; 2],
 }
 
-/// Along a sphere's longitude, from -z over -x, +z, +x; from the south to the north pole.
+/// Returns the coordinates along the longitude of a sphere, from -z over -x, +z, +x, and from the south to the north pole.
 fn round_uv(p: DVec3) -> [f64; 2] {
     [0.5 + p.x.atan2(p.z) / TAU, 0.5 + (p.y / p.length()).asin() / PI]
 }
@@ -44,7 +44,7 @@ fn check(kind: &str, list: &'static str, targets: [Place; 2], expect: impl Fn(&m
         put(2u, vec4f(s.uv, f32(s.object), 0.0));"
     );
     let record = |k: usize| {
-        // A disk's radius is its hole's.
+        // The hole of a disk determines its radius.
         let radius = if kind == "disk" { HOLE } else { targets[k].radius };
         Place { radius, ..targets[k] }.record(k as u32)
     };
@@ -52,13 +52,14 @@ fn check(kind: &str, list: &'static str, targets: [Place; 2], expect: impl Fn(&m
     let (mut normals, mut gaps, mut uvs) = (Errors::of("normal"), Errors::of("gap"), Errors::of("uv"));
     for ((e, input), output) in expected.iter().zip(&inputs).zip(&probe.run::<1, 3>(&gpu(), &body, &inputs)) {
         let place = targets[e.place];
-        // The inverse map's transpose takes normals to the scene.
+        // The transpose of the inverse map takes normals to the scene.
         let steep = place.linear.transpose() * e.gradient;
-        // The point's own coordinates err by 8 U of 1 + |row| |x| (the input's rounding too), a curved normal with them.
+        // The coordinates of the point err by 8 U of 1 + |row| |x| (including the rounding of the input), and a curved normal errs with
+        // them.
         let x = wide(input[0]);
         let size = norm(place.linear);
         let moved = 8.0 * U * (1.0 + size * x.length() + place.offset.length());
-        // The longest of its axes: by that much the map back stretches.
+        // The longest axis, which is the largest factor of the inverse map.
         let stretch = norm(place.linear.inverse());
         let turned = if ["sphere", "ellipsoid", "cylinder"].contains(&kind) { 2.0 * moved } else { 0.0 };
         normals.check3(output[0], steep.normalize(), (turned + 4.0 * U) * size * stretch, input);
@@ -71,7 +72,7 @@ fn check(kind: &str, list: &'static str, targets: [Place; 2], expect: impl Fn(&m
                 "{kind}: uv {}",
                 output[2]
             );
-            // arc_tangent errs by 4e-7 of 2π or π; near the poles longitude moves as 1/ρ. u = 0 and u = 1 are the same place.
+            // arc_tangent errs by 4e-7 of 2π or π; near the poles longitude varies as 1/ρ. u = 0 and u = 1 are the same position.
             let rho = e.own.x.hypot(e.own.z).max(1e-3);
             let off = f64::from(output[2][k]) - e.uv[k];
             let off = if k == 0 && kind != "box" && kind != "plane" { off - off.round() } else { off };
@@ -84,7 +85,7 @@ fn check(kind: &str, list: &'static str, targets: [Place; 2], expect: impl Fn(&m
     }
 }
 
-/// Near a unit sphere, also at its poles and along the seam.
+/// Points near a unit sphere, also at its poles and along the seam.
 fn round_point(random: &mut Random, k: usize) -> DVec3 {
     let d = match k % 10 {
         0 => DVec3::new(random.within(-1e-2, 1e-2), 1.0, random.within(-1e-2, 1e-2)),
@@ -143,12 +144,12 @@ fn planes() {
     });
 }
 
-/// Round y, from -z over -x, z and x.
+/// Returns u around y, from -z over -x, z and x.
 fn turned(p: DVec3) -> f64 {
     0.5 + p.x.atan2(p.z) / TAU
 }
 
-/// Unmirrored on each of the three faces as seen from outside: u grows with the angle, v towards what is up there.
+/// None of the three faces is mirrored as seen from outside: u grows with the angle, and v toward the upper end.
 #[test]
 fn cylinders() {
     check("cylinder", "cylinders", places(96), |random, k| {

@@ -1,4 +1,4 @@
-//! Triangles: no gaps between neighbors, and hits.
+//! Triangles: no gaps between neighbors, and correct hits.
 
 use bentray::model::Value::{Uint, Uint4, Vec3 as V3};
 use bentray::program::constant;
@@ -23,7 +23,7 @@ const PARTS: [&str; 10] = [
     "surface/vertex_colors",
 ];
 
-/// A hierarchy of triangles alone.
+/// Returns a probe with a hierarchy of triangles alone.
 pub(super) fn probe() -> Probe {
     Probe::new(&PARTS).with("HAS_VERTEX_COLORS").with("ITEMS_IN_ORDER").stub(bentray::program::part("shape/triangle").expect("a part").text).stub(
         "const ITEM_KIND: u32 = TRIANGLE;
@@ -36,7 +36,7 @@ fn corners(t: [Vec3; 3]) -> Record {
     vec![("p", p), ("bit", Uint(constant("shape/facing", "NO_BIT") as u32)), ("q", q), ("r", r)]
 }
 
-/// A box as the host writes it.
+/// Returns a box as the CPU writes it.
 pub(super) fn grown(lo: Vec3, hi: Vec3) -> [Vec3; 2] {
     let slack = constant("segment/structure/boxes", "BOX_SLACK") * lo.abs().max(hi.abs()).as_dvec3();
     [lo.as_dvec3() - slack, hi.as_dvec3() + slack].map(DVec3::as_vec3)
@@ -50,7 +50,7 @@ fn an_edge_has_two_opposite_sides() {
         .iter()
         .map(|d| {
             let p = random.vector(1e-6, 1e6);
-            // Also edges along the axes, whose ends share coordinates.
+            // Some edges are along the axes, so that their ends share coordinates.
             let q = if random.unit() < 0.5 {
                 p + random.vector(1e-6, 10.0)
             } else {
@@ -67,16 +67,16 @@ fn an_edge_has_two_opposite_sides() {
     let mut errors = Errors::of("edge_side");
     for (input, [sides]) in inputs.iter().zip(&probe().run::<3, 1>(&gpu(), body, &inputs)) {
         let opposite = sides.x.to_bits() == (-sides.y).to_bits() || (sides.x == 0.0 && sides.y == 0.0);
-        // Where both ends are one there is no edge: with products that are not rounded p × p need not be 0.
+        // If both ends are equal there is no edge: without rounding of products p × p need not be 0.
         assert!(opposite || input[1] == input[2], "{:e} and {:e} at {input:?}", sides.x, sides.y);
         let [d, p, q] = input.map(wide);
-        // Two roundings in each component of the cross product, three in the sum.
+        // Each component of the cross product has two roundings, and the sum has three.
         errors.check(sides.x, d.dot(p.cross(q)), 9.0 * U * d.length() * p.length() * q.length(), input);
     }
     errors.report();
 }
 
-/// Two triangles that meet at an edge, seen along a ray through it: at least one is hit, whatever the rounding.
+/// Two triangles that share an edge, seen along a ray through it: at least one is hit, whatever the rounding.
 #[test]
 fn no_ray_passes_between_neighbours() {
     let mut random = Random::new(102);
@@ -86,7 +86,7 @@ fn no_ray_passes_between_neighbours() {
         let shift = random.vector(0.01, 100.0).as_dvec3();
         let p = shift + random.vector(0.1, 3.0).as_dvec3();
         let q = shift + random.vector(0.1, 3.0).as_dvec3();
-        // Third corners on either side of the edge as the ray sees it, at any depth.
+        // The third corners are on either side of the edge as the ray sees it, at any depth.
         let across = (q - p).cross(d);
         let mid = 0.5 * (p + q);
         let r = mid + across * random.within(0.2, 1.0) + d * random.within(-1.0, 1.0);
@@ -110,7 +110,7 @@ fn no_ray_passes_between_neighbours() {
     assert!(each[0] > 1500 && each[1] > 1500, "the rays do not fall on both sides");
 }
 
-/// A mesh of loose triangles and the hierarchy over it: a root and leaves of four.
+/// A mesh of separate triangles and its hierarchy: a root and leaves of four.
 struct Mesh(Vec<[Vec3; 3]>);
 
 impl Mesh {
@@ -145,7 +145,8 @@ impl Mesh {
             .numbers("mesh", &self.words())
     }
 
-    /// Triangle k is of object k mod 3, of material 7 and so on; a vertex's color is its place.
+    /// Returns the data of the mesh. Triangle k belongs to object k mod 3, with material 7 and so on; the color of a vertex is its
+    /// position.
     fn words(&self) -> Vec<u32> {
         let [triangle, vertex] = [("shape/triangle", "TRIANGLE_WORDS"), ("surface/vertex_colors", "COLOR_WORD")]
             .map(|(part, name)| constant(part, name) as u32);
@@ -163,8 +164,8 @@ impl Mesh {
     }
 }
 
-/// The fraction at which the piece meets the triangle, its edges moved outwards by `moved` and its plane by `lift`, in units
-/// of what rounding may do: an edge's volume errs by 9 U |d| |p| |q|, the plane's height by 8 U of |edges| |p|.
+/// Returns the fraction at which the piece hits the triangle, with its edges moved outward by `moved` and its plane by `lift`, in units of
+/// rounding errors: the volume of an edge errs by 9 U |d| |p| |q|, the height of the plane by 8 U of |edges| |p|.
 fn fraction(t: &[Vec3; 3], a: DVec3, d: DVec3, moved: f64, eta: f64) -> Option<f64> {
     let [p, q, r] = t.map(|x| x.as_dvec3() - a);
     let side = |p: DVec3, q: DVec3| (d.dot(p.cross(q)), moved * 9.0 * U * d.length() * p.length() * q.length());
@@ -226,19 +227,19 @@ fn meshes_by_hierarchy_and_by_brute_force() {
                 let x = a + f64::from(output[0].x) * d;
                 let n = (t[1] - t[0]).cross(t[2] - t[0]);
                 let thin = (t[1] - t[0]).length() * (t[2] - t[0]).length() / n.length();
-                // The point is rounded, and found from a start that far away; n errs by U times how thin the triangle is.
+                // The point is rounded, and computed from a distant start; n errs by U times the thinness of the triangle.
                 let off =
                     16.0 * U * (a.length() + b.length()) * thin * (1.0 + d.length() * n.length() / n.dot(d).abs());
                 gaps.check(output[1].w, 0.0, off, input);
                 planes.check3(output[1], n.normalize(), 8.0 * U * thin, input);
                 let object = output[0].y as u32 % 3;
                 assert_eq!((output[3].z, output[3].w), (7.0 + object as f32, object as f32), "owner");
-                // Vertices have u = x and v = y, so that a point has them too; small triangles in far places lose digits.
+                // Vertices have u = x and v = y, and so has every point; small distant triangles lose digits.
                 uvs.check(output[3].x, x.x, 8.0 * off * thin, input);
                 uvs.check(output[3].y, x.y, 8.0 * off * thin, input);
                 // Their colors are their positions.
                 colors.check3(output[4], x, 8.0 * off * thin, input);
-                // Weights by Cramer's rule in the plane; a vertex's normal is its own direction.
+                // Weights by Cramer's rule in the plane; the normal of a vertex is its direction.
                 let (e, f, g) = (t[1] - t[0], t[2] - t[0], x - t[0]);
                 let (ee, ef, ff) = (e.dot(e), e.dot(f), f.dot(f));
                 let v = (ff * e.dot(g) - ef * f.dot(g)) / (ee * ff - ef * ef);

@@ -5,12 +5,12 @@ use glam::DVec3;
 use super::{BOUND, Case, WAVELENGTH, Want, exp_error, root_error};
 
 const CENTER: DVec3 = DVec3::new(0.5, -0.25, 1.0);
-/// As scenes give it, and as a unit vector.
+/// An axis as scenes give it, and as a unit vector.
 const UP: DVec3 = DVec3::new(0.6, 0.0, 0.8);
 
 const NOWHERE: fn(DVec3, f64) -> bool = |_, _| false;
 
-/// A sphere's pull, from the slope of n along r, and its relative error.
+/// Returns the pull of a spherical medium, from the slope of n along r, and its error.
 fn radial(d: DVec3, n: f64, slope: f64, error: f64) -> (DVec3, f64) {
     let pull = n * slope * d.normalize_or_zero();
     (pull, error * pull.length())
@@ -79,12 +79,12 @@ fn gaussian_want(x: DVec3, u: f64, b: f64) -> Want {
     let z = b * q2;
     let n = 1.5 * (-z).exp();
     let relative = exp_error(z, 8.0 * u * z.abs(), u) + 2.0 * u;
-    // The greater of R⁻² and |n″/n|'s bound.
+    // The larger of R⁻² and the bound on |n″/n|.
     let steep = (2.0 * b.abs() * (1.0 + 2.0 * b.abs() * q2)).max(1.0);
     let slope = -2.0 * b * d.length() / 4.0 * n;
     let length = 2.0 / steep.sqrt();
     Want {
-        // An exponential that is no normal number is 0.
+        // An exponential below the range of normal numbers is 0.
         n: (n, n * relative + 1.5 * f64::from(f32::MIN_POSITIVE)),
         pull: radial(d, n, slope, 2.0 * relative + 10.0 * u),
         length: (length, 10.0 * u * length),
@@ -105,7 +105,7 @@ fn gaussian() {
     };
     case.check();
     Case { reach: [1e-6, 8.0], ..case }.pull_is_the_slope(1e-6);
-    // One that grows outwards.
+    // A medium whose index grows outward.
     let case = Case {
         name: "growing gaussian",
         parts: &["medium/gaussian"],
@@ -127,7 +127,7 @@ fn inverse_r() {
         parts: &["medium/inverse_r"],
         index: "{ kind = \"inverse-r\", center = [0.5, -0.25, 1], k = 4 }",
         center: CENTER,
-        // Much nearer to the center x − c has no digits of its own in f32.
+        // Closer to the center x − c has no correct digits in f32.
         reach: [1e-5, 1e8],
         regular: false,
         want: |x, u| {
@@ -205,7 +205,7 @@ fn rod() {
             let rho2 = off.length_squared();
             let square = 1.0 - rho2 / 16.0;
             let n = 1.625 * square.max(0.0).sqrt();
-            // The axis is off by u, the part along it by 6u of |d|, and so is what is left.
+            // The axis errs by u and the part along it by 6u of |d|, and so does the remainder.
             let moved = 12.0 * u * d.length();
             let error = (2.0 * rho2.sqrt() * moved + moved * moved + 8.0 * u * rho2) / 16.0 + u;
             let stiffness = (1.625_f64 * 0.25).powi(2);
@@ -253,7 +253,7 @@ fn exponential_want(x: DVec3, u: f64, delta: f64) -> Want {
     let d = x - CENTER;
     let z = -UP.dot(d) / 2.0;
     let more = delta * z.exp();
-    // The height is off by 8u of |d|, the direction's own rounding among it.
+    // The height errs by 8u of |d|, which includes the rounding of the direction.
     let relative = exp_error(z, (8.0 * d.length() / 2.0 + z.abs()) * u, u) + u;
     let n = (1.0 + more).max(0.0);
     let pull = -(1.0 + more) * more / 2.0 * UP;
@@ -298,12 +298,12 @@ fn sech() {
         want: |x, u| {
             let d = x - CENTER;
             let z = 0.5 * UP.dot(d);
-            // cosh overflows only where n is far below any bound.
+            // cosh only overflows if n is far below any bound.
             let (n, tanh) = (1.5 / z.cosh(), z.tanh());
             let relative = exp_error(z, (0.5 * 8.0 * d.length() + z.abs()) * u, u);
             let flat = 0.5 * n * n;
             Want {
-                // Where e^(−|z|) is no normal number it is 0; n is thrice that.
+                // If e^(−|z|) is below the range of normal numbers it is 0; n is three times that.
                 n: (n, n * (2.0 * relative + 5.0 * u) + 3.0 * f64::from(f32::MIN_POSITIVE)),
                 pull: (-flat * tanh * UP, flat * (5.0 * relative + 20.0 * u)),
                 length: (2.0, 2.0 * u),

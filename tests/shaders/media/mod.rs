@@ -18,33 +18,33 @@ use super::reals::{REALS, U64, joined, joined3, split};
 use super::{Errors, Random, U, vectors, wide};
 use crate::support::{gpu, probe::Probe, scene};
 
-/// The radius of the bounding sphere, through which a medium that never changes is crossed in one go.
+/// The radius of the bounding sphere, which a constant medium lets rays cross in one step.
 const BOUND: f64 = 64.0;
 
-/// Of light, micrometres: for which the host knows indices.
+/// The wavelength of the light in micrometers, for which the CPU computes indices.
 const WAVELENGTH: f64 = 1e-3 * bentray::model::medium::D_LINE;
 
-/// What a medium should say of a place, each value with the bound on its error.
+/// The expected values at a position, each with a bound on its error.
 struct Want {
     n: (f64, f64),
     pull: (DVec3, f64),
     length: (f64, f64),
 }
 
-/// A medium, and what is known of it.
+/// A medium, and its known properties.
 struct Case {
     name: &'static str,
     parts: &'static [&'static str],
-    /// As a scene has it; every number is exact in f32.
+    /// The medium as a scene has it; every number is exact in f32.
     index: &'static str,
     center: DVec3,
-    /// How near to the center and how far from it the index is tried.
+    /// The smallest and the largest distance from the center at which the index is tested.
     reach: [f64; 2],
-    /// Is it as regular in its center as elsewhere?
+    /// Whether it is as regular at its center as elsewhere.
     regular: bool,
-    /// At a place, with roundings of a size.
+    /// Returns the expected values at a position, for roundings of this size.
     want: fn(DVec3, f64) -> Want,
-    /// Where slope or length jump, within this distance of the place, rounding decides.
+    /// Returns `true` if slope or length jump within this distance of the position, so that rounding decides.
     undecided: fn(DVec3, f64) -> bool,
 }
 
@@ -139,7 +139,8 @@ impl Case {
         }
     }
 
-    /// The wanted pull is the slope of n²/2, by differences over 10⁻⁴ of the length: their own error is 10⁻⁸ of third derivatives.
+    /// Checks that the expected pull is the slope of n²/2, by differences over 10⁻⁴ of the length, whose error is 10⁻⁸ of third
+    /// derivatives.
     fn pull_is_the_slope(&self, tolerance: f64) {
         let mut random = Random::new(53);
         let mut tried = 0;
@@ -148,7 +149,7 @@ impl Case {
             let want = (self.want)(x, U64);
             let h = 1e-4 * want.length.0;
             let n = |x: DVec3| (self.want)(x, U64).n.0;
-            // Near n = 0 the root is no smooth function.
+            // Near n = 0 the root is not smooth.
             if (self.undecided)(x, 2.0 * h) || n(x) < 1e-2 {
                 continue;
             }
@@ -162,13 +163,13 @@ impl Case {
     }
 }
 
-/// √square where square may be wrong by some error: what the root may be wrong by.
+/// Returns a bound on the error of √square, if square has this error.
 fn root_error(square: f64, error: f64) -> f64 {
     if square > 2.0 * error { error / square.sqrt() } else { 2.0 * error.sqrt() }
 }
 
-/// What the exponential function may err by, relatively, if its argument is wrong by δ: WGSL allows 3 + 2 |z| units in the last
-/// place, of 2u each.
+/// Returns a bound on the relative error of the exponential function, if its argument has the error δ: WGSL allows 3 + 2 |z| units in the
+/// last place, of 2u each.
 fn exp_error(z: f64, delta: f64, u: f64) -> f64 {
     delta + (6.0 + 4.0 * z.abs()) * u
 }

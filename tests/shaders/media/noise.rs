@@ -10,7 +10,7 @@ const AMPLITUDE: f64 = 0.25;
 const FREQUENCY: f64 = 1.5;
 const OCTAVES: i32 = 3;
 const SEED: u32 = 77;
-/// The points of a spline along an axis, from the one below.
+/// The four points of a spline along an axis, relative to the one below.
 const NEIGHBOURS: [i64; 4] = [-1, 0, 1, 2];
 
 fn corner(cell: [i64; 3]) -> f64 {
@@ -24,7 +24,7 @@ fn corner(cell: [i64; 3]) -> f64 {
     f64::from(((word >> 22) ^ word) >> 8) / 8_388_607.5 - 1.0
 }
 
-/// Between the second and the third of four values, with the slopes of chords; or its derivative.
+/// Returns the spline between the second and the third of four values, with the slopes of chords, or its derivative.
 fn spline(p: [f64; 4], t: f64, derivative: bool) -> f64 {
     let (from, to) = (0.5 * (p[2] - p[0]), 0.5 * (p[3] - p[1]));
     if derivative {
@@ -38,7 +38,7 @@ fn spline(p: [f64; 4], t: f64, derivative: bool) -> f64 {
     }
 }
 
-/// One octave, or its derivative along an axis.
+/// Returns one octave, or its derivative along an axis.
 fn octave(p: DVec3, along: Option<usize>) -> f64 {
     let base = p.floor();
     let t = p - base;
@@ -60,7 +60,7 @@ fn want(x: DVec3, u: f64) -> Want {
     for j in 0..OCTAVES {
         let (frequency, weight) = (FREQUENCY * 2.0_f64.powi(j), AMPLITUDE * 0.5_f64.powi(j));
         let p = frequency * d;
-        // x − c and the product round; so does each component.
+        // x − c and the product are rounded, and so is each component.
         let moved = 2.0 * u * p.length();
         n += weight * octave(p, None);
         slope += weight * frequency * DVec3::from_array([0, 1, 2].map(|axis| octave(p, Some(axis))));
@@ -86,7 +86,7 @@ fn noise() {
         undecided: |_, _| false,
     };
     case.check();
-    // Second derivatives jump at the cells' faces.
+    // Second derivatives jump at the faces of cells.
     case.pull_is_the_slope(1e-3);
 }
 
@@ -106,7 +106,7 @@ fn textured() {
     case.check();
 }
 
-/// Charts of noise have an implementation of their own, along one axis of the lattice.
+/// Charts of noise have a separate implementation, along one axis of the lattice.
 #[test]
 fn charts_show_the_same_noise() {
     for i in -40..40 {
@@ -117,7 +117,7 @@ fn charts_show_the_same_noise() {
     }
 }
 
-/// Its points are reached, whatever the axis, and the sum is no more than it may be.
+/// The spline reaches its points along every axis, and the sum never exceeds its bound.
 #[test]
 fn noise_overshoots_by_no_more_than_is_reckoned_with() {
     let reached = spline([-1.0, 1.0, 1.0, -1.0], 0.5, false);

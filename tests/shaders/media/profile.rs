@@ -1,4 +1,4 @@
-//! Layered air: the spline by a dense system for all coefficients at once.
+//! Layered air: the spline is computed by a dense system for all coefficients at once.
 
 use std::sync::LazyLock;
 
@@ -8,10 +8,10 @@ use super::{Case, Want};
 
 const ORIGIN: DVec3 = DVec3::new(0.5, -0.25, 1.0);
 const UP: DVec3 = DVec3::new(0.0, 0.6, 0.8);
-/// A cold layer over a hot one, and points at very different distances.
+/// A cold layer over a hot one, with points at very different distances.
 const POINTS: [[f64; 2]; 6] = [[-1.0, 1.25], [0.5, 1.1875], [0.75, 1.3125], [2.0, 1.375], [6.0, 1.0625], [6.5, 1.0]];
 
-/// Each piece's coefficients of tⁱ: the values at both its ends, and continuity of two derivatives at inner points.
+/// The coefficients of tⁱ of each piece, from the values at both its ends, and the continuity of two derivatives at inner points.
 static PIECES: LazyLock<Vec<[f64; 4]>> = LazyLock::new(|| {
     let pieces = POINTS.len() - 1;
     let mut rows: Vec<Vec<f64>> = Vec::new();
@@ -39,7 +39,7 @@ static PIECES: LazyLock<Vec<[f64; 4]>> = LazyLock::new(|| {
     solved(rows).chunks(4).map(|c| [c[0], c[1], c[2], c[3]]).collect()
 });
 
-/// Gauss and Jordan, with pivots.
+/// Solves a system by Gauss–Jordan elimination with pivoting.
 fn solved(mut rows: Vec<Vec<f64>>) -> Vec<f64> {
     let count = rows.len();
     for k in 0..count {
@@ -58,7 +58,7 @@ fn solved(mut rows: Vec<Vec<f64>>) -> Vec<f64> {
 fn want(x: DVec3, u: f64) -> Want {
     let d = x - ORIGIN;
     let y = UP.dot(d);
-    // The direction's own rounding among it.
+    // This includes the rounding of the direction.
     let moved = 8.0 * u * d.length();
     let last = POINTS.len() - 1;
     let above = POINTS.iter().filter(|point| point[0] <= y).count();
@@ -74,7 +74,7 @@ fn want(x: DVec3, u: f64) -> Want {
     let t = y - POINTS[k][0];
     let n = a + b * t + c * t * t + e * t.powi(3);
     let slope = b + 2.0 * c * t + 3.0 * e * t * t;
-    // Coefficients round once, and each term as often as it has factors; t moves with y.
+    // Coefficients round once, and each term once per factor; t moves with y.
     let sizes = [a, b * t, c * t * t, e * t.powi(3)].map(f64::abs).iter().sum::<f64>();
     let n_error = slope.abs() * moved + (2.0 * c + 6.0 * e * t).abs() * moved * moved + 8.0 * u * sizes;
     let slopes = [b, 2.0 * c * t, 3.0 * e * t * t].map(f64::abs).iter().sum::<f64>();
@@ -95,7 +95,7 @@ fn profile() {
         reach: [1e-6, 30.0],
         regular: true,
         want,
-        // Lengths are those of the pieces, and the slope has a jump at both ends.
+        // The length depends on the piece, and the slope jumps at both ends.
         undecided: |x, off| POINTS.iter().any(|point| (UP.dot(x - ORIGIN) - point[0]).abs() <= off),
     };
     case.check();
