@@ -1,4 +1,4 @@
-//! How light shifts on its way, against closed forms and answers to 15 digits.
+//! The redshift of light on its path, compared with closed forms and answers to 15 digits.
 
 use bentray::model::black_body;
 use bentray::program::{Layer, ProgramOptions, Schedule};
@@ -9,7 +9,7 @@ use glam::DVec3;
 use crate::oracle::{rows, vector};
 use crate::support::{gpu, scene};
 
-/// With the places and the shifts of what is seen.
+/// Renders a scene with the layers of positions and redshifts.
 pub fn rendered(scene: &Scene) -> Rendering {
     let options = ProgramOptions { layers: vec![Layer::Position, Layer::Redshift], ..ProgramOptions::default() };
     let settings = RenderSettings { options, ..RenderSettings::default() };
@@ -19,11 +19,12 @@ pub fn rendered(scene: &Scene) -> Rendering {
 pub fn shifts(picture: &Rendering) -> &[f32] {
     match picture.band.layer(Layer::Redshift) {
         Some(Plane::Scalar(values)) => values,
-        _ => panic!("no layer of shifts"),
+        _ => panic!("no redshift layer"),
     }
 }
 
-/// The sky as who moves at 0.6 sees it in flat space, by Doppler's formula, and who rests near a hole: g⁴ as bright.
+/// The sky as a boosted observer with speed 0.6 sees it in flat space, by the Doppler formula, and as a static observer near a black hole
+/// sees it: brighter by g⁴.
 #[test]
 fn the_sky_is_as_bright_as_its_shift() {
     let flat = "kind = \"metric\"\nline_element = \"-dt^2 + dx^2 + dy^2 + dz^2\"\nscale = \"9\"";
@@ -39,7 +40,7 @@ fn the_sky_is_as_bright_as_its_shift() {
         (hole, "observer = \"static\"", [10, 0, 1], near_hole),
         (charged, "observer = \"static\"", [10, 1, 1], near_charged),
     ] {
-        // In the equator of a spinning hole Σ = r², and r = 10.
+        // In the equator of a rotating black hole Σ = r², and r = 10.
         let x = if law == hole { (100.0_f64 + 0.25).sqrt() } else { 10.0 };
         let picture = rendered(&scene(&format!(
             "[image]\nsize = [1, 1]\n[camera]\nposition = [{x:?}, 0, 0]\nfov = 1\n{frame}\nlook_at = {ahead:?}\nup = [1, 1, 1]\n\
@@ -54,7 +55,7 @@ fn the_sky_is_as_bright_as_its_shift() {
     }
 }
 
-/// Between places at rest light shifts as their clocks go, and to an observer who moves as Doppler says.
+/// Between static positions light is redshifted as their clocks require, and for a moving observer by the Doppler formula as well.
 #[test]
 fn light_is_shifted_as_clocks_and_speeds_say() {
     let clock = |r: f64| (1.0 - 2.0 / r).sqrt();
@@ -82,8 +83,8 @@ fn light_is_shifted_as_clocks_and_speeds_say() {
     }
 }
 
-/// By laws that change with t light is followed with its momentum: between places at rest it shifts as series of 34 and 48 digits say, in all
-/// schedules alike.
+/// Under laws that depend on t a ray carries its momentum: the redshift between static positions agrees with series of 34 and 48 digits,
+/// and is equal in all schedules.
 #[test]
 fn light_shifts_in_time_as_series_say() {
     for row in rows(include_str!("tables/shifts_in_time.tsv")) {
@@ -101,7 +102,7 @@ fn light_shifts_in_time_as_series_say() {
                 end.to_array(),
                 way.to_array(),
             ));
-            // Passes are cut alike in both precisions.
+            // Passes are cut identically in both precisions.
             let schedules = if precision == "f32" { &Schedule::ALL[..] } else { &[Schedule::Whole] };
             let seen: Vec<f32> = schedules
                 .iter()
@@ -120,7 +121,7 @@ fn light_shifts_in_time_as_series_say() {
     }
 }
 
-/// In a space that expands light comes redder by as much as space has grown meanwhile; and to who moves there as Doppler says besides.
+/// In expanding space light is redshifted by the expansion since its emission, and for a moving observer by the Doppler formula as well.
 #[test]
 fn light_reddens_as_space_grows() {
     let space = "kind = \"metric\"\nline_element = \"-dt^2 + exp(2*H*t)*(dx^2 + dy^2 + dz^2)\"\nscale = \"5\"\n\
@@ -130,7 +131,7 @@ fn light_reddens_as_space_grows() {
             "[image]\nsize = [1, 1]\n[camera]\nposition = [0, 0, 0]\nlook_at = [1, 0, 0]\nup = [0, 0, 1]\nfov = 1\n{frame}\nredshift = true\n[law]\n{space}\n\
              [rays]\nbounding_sphere = {{ radius = 10 }}\nmethod = \"rk4\"\nscaled_step = 0.05\n[sky]\ncolor = [1, 1, 1]\n"
         ));
-        // dx = e^(−Ht) dt: from x = 10 the light has come e^(−Ht) − e^(−3H) = 10 H.
+        // dx = e^(−Ht) dt: from x = 10 the light has traveled e^(−Ht) − e^(−3H) = 10 H.
         let grown = 1.0 / (1.0 + 0.5 * (0.15_f64).exp());
         let picture = rendered(&scene);
         let found = f64::from(shifts(&picture)[0]);
@@ -139,7 +140,7 @@ fn light_reddens_as_space_grows() {
     }
 }
 
-/// Where colors are taken for black bodies', a sky and a surface in the color of one look like one of g times its temperature.
+/// If colors represent black bodies, a sky or a surface with the color of one shows the color at g times its temperature.
 #[test]
 fn hues_shift_as_those_of_black_bodies() {
     for (kelvin, kept) in [(3000.0, false), (5000.0, false), (9000.0, false), (5000.0, true)] {

@@ -1,4 +1,4 @@
-//! Tests the light of the environment map in path tracing: the sampled part, and its total against sums over the image.
+//! Tests the light of the environment map in path tracing: the sampled fraction, and the total compared with sums over the image.
 
 use std::f64::consts::PI;
 use std::path::Path;
@@ -8,13 +8,13 @@ use bentray::render::RenderSettings;
 use crate::paths::rendered;
 use crate::support::{mean_of, scene};
 
-/// A sky with a small sun: of `size` in sRGB, even but for one white pixel.
+/// Writes a sky with a small sun: `size` pixels of one sRGB value, except for one white pixel.
 fn sun(folder: &Path, name: &str, size: [u32; 2], place: [u32; 2], even: u8) {
     let at = |x, y| image::Luma([if [x, y] == place { 255 } else { even }]);
     image::GrayImage::from_fn(size[0], size[1], at).save(folder.join(name)).unwrap();
 }
 
-/// What a floor shows of it, by sums over the sky: in an equirectangular picture, and in the middle of a cube's top.
+/// Compares the radiance of a floor with sums over the sky: for an equirectangular image, and for the center of a cube map's top.
 #[test]
 fn the_sky_lights_as_sums_over_it_say() {
     const EVEN: u8 = 30;
@@ -23,7 +23,7 @@ fn the_sky_lights_as_sums_over_it_say() {
     sun(folder.path(), "top.png", [16, 16], [5, 8], EVEN);
     sun(folder.path(), "side.png", [16, 16], [99, 0], EVEN);
     let even = ((f64::from(EVEN) / 255.0 + 0.055) / 1.055).powf(2.4);
-    // Of a pixel's tent, between its middle and its neighbors'.
+    // The filter of a pixel is a tent between its center and those of its neighbors.
     let tent = |x: f64| (1.0 - x.abs()).max(0.0);
     let (steps, sun) = (400, 1.0 - even);
     let around_pixel = || {
@@ -59,13 +59,13 @@ fn the_sky_lights_as_sums_over_it_say() {
     }
 }
 
-/// An even sky is found without aims, which would only cost time.
+/// A uniform sky has no light sampling, which would only cost time.
 #[test]
 fn only_what_is_bright_in_the_sky_is_aimed_at() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("sky.png");
     for (aimed, pixel) in [(false, [0, 99]), (true, [20, 9])] {
-        // From 90 to 120 from top to bottom, with a sun or without.
+        // From 90 to 120 from top to bottom, with and without a sun.
         let at = |x, y| image::Luma([if [x, y] == pixel { 255 } else { 90 + y as u8 }]);
         image::GrayImage::from_fn(64, 32, at).save(&path).unwrap();
         let text = format!(
@@ -74,7 +74,7 @@ fn only_what_is_bright_in_the_sky_is_aimed_at() {
         );
         let mut scene = scene(&text);
         if let (true, Some(picture)) = (aimed, scene.pictures.first_mut()) {
-            // A sun is far brighter than an image of 8 bits can say.
+            // A sun is far brighter than an image of 8 bits can store.
             let pixels = picture.pixels.iter().map(|p| if p[0] > 0.99 { [1000.0; 3] } else { *p });
             picture.pixels = std::sync::Arc::new(pixels.collect());
         }

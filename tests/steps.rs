@@ -1,5 +1,4 @@
-//! Tests the number of steps of the rays of a dozen scenes: a loss of efficiency appears as more steps, on a busy machine
-//! too.
+//! Tests the number of steps of the rays of a dozen scenes: a loss of efficiency appears as more steps, even on a busy machine.
 
 use std::fmt::Write as _;
 use std::path::Path;
@@ -9,12 +8,12 @@ use bentray::scene::{Override, Scene};
 
 use crate::support::gpu;
 
-/// The table of `tests/tables/steps.tsv`: a scene, what is changed about it, and the steps, rejected tries and segments of a ray.
+/// The table `tests/tables/steps.tsv`: a scene, its changes, and the mean steps, rejected tries and segments of a ray.
 const TABLE: &str = include_str!("tables/steps.tsv");
-/// Devices round differently, and rays at a threshold end a step sooner or later.
+/// Rounding depends on the device, and rays at a threshold may end a step earlier or later.
 const NOISE: f64 = 0.01;
 
-/// Steps, rejected tries and segments of a ray, in the middle.
+/// Returns the mean steps, rejected tries and segments of a ray.
 fn taken(scene: &str, changes: &str) -> [f64; 3] {
     let size = ["image.size=[96, 54]", "image.samples=1"];
     let changes = changes.split_whitespace().chain(size);
@@ -42,5 +41,5 @@ fn rays_take_as_many_steps_as_they_did() {
             writeln!(wrong, "{}\t{}\t{steps:.4}\t{rejected:.4}\t{segments:.4}", row[0], row[1]).unwrap();
         }
     }
-    assert!(wrong.is_empty(), "these differ from the table, and have for rays that take fewer steps:\n{wrong}");
+    assert!(wrong.is_empty(), "the table differs; if rays take fewer steps, replace these rows:\n{wrong}");
 }

@@ -1,4 +1,4 @@
-//! Tests the promises of the documentation on the structure of the code.
+//! Checks the claims of the documentation about the structure of the code.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
@@ -17,7 +17,7 @@ fn files(folder: &Path, extension: &str) -> Vec<PathBuf> {
     found
 }
 
-/// Every part opens with its contract.
+/// Every module begins with its contract.
 #[test]
 fn parts_state_their_contract() {
     for part in all_parts() {
@@ -26,7 +26,7 @@ fn parts_state_their_contract() {
     }
 }
 
-/// The rows of `shaders/README.md`'s tables with so many columns, but for their headings.
+/// Returns the rows with `N` columns in the tables of `shaders/README.md`, without their headings.
 fn rows<const N: usize>() -> Vec<[String; N]> {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("shaders/README.md");
     let text = std::fs::read_to_string(path).unwrap();
@@ -35,7 +35,7 @@ fn rows<const N: usize>() -> Vec<[String; N]> {
     rows.filter(|row: &[String; N]| !["area", "contract"].contains(&row[0].as_str())).collect()
 }
 
-/// What a cell names in code.
+/// Returns the names in backticks in a cell.
 fn code(cell: &str) -> Vec<&str> {
     cell.split('`').skip(1).step_by(2).collect()
 }
@@ -44,7 +44,7 @@ fn area(file: &str) -> &str {
     file.split('/').next().unwrap_or_default()
 }
 
-/// A function without the names of its parameters, or the beginning of another declaration.
+/// Returns a function without the names of its parameters, or the beginning of another declaration.
 fn without_names(signature: &str) -> String {
     let mut pieces: Vec<&str> = signature.split(": ").collect();
     let last = pieces.pop().unwrap_or_default();
@@ -52,7 +52,7 @@ fn without_names(signature: &str) -> String {
     pieces.iter().map(|piece| piece.trim_end_matches(word)).chain([last]).collect()
 }
 
-/// Does the text declare what the signature says, with these types?
+/// Returns `true` if the text has the declaration of the signature, with its types.
 fn declares(text: &str, signature: &str) -> bool {
     let lines = || text.lines().map(|line| line.trim_start_matches("@compute @workgroup_size(GROUP) "));
     if signature.starts_with("fn ") {
@@ -67,13 +67,13 @@ fn declares(text: &str, signature: &str) -> bool {
     })
 }
 
-/// What a signature declares.
+/// Returns the declared name of a signature.
 fn name(signature: &str) -> &str {
     let (_, declared) = signature.split_once(' ').unwrap();
     declared.split(['(', ':']).next().unwrap()
 }
 
-/// The functions that a text declares.
+/// Returns the functions that a text declares.
 fn functions(text: &str) -> Vec<&str> {
     let names = text.split("fn ").skip(1).map(|rest| rest.split('(').next().unwrap());
     names.filter(|name| name.chars().all(|c| c.is_alphanumeric() || c == '_')).collect()
@@ -83,12 +83,12 @@ fn without_comments(text: &str) -> String {
     text.lines().map(|line| line.split("//").next().unwrap_or_default()).collect::<Vec<_>>().join("\n")
 }
 
-/// What the table says of a contract that a part keeps, with the part's own name in it.
+/// Returns a signature in the table of contracts, with the name of the module that implements it.
 fn of_keeper(signature: &str, keeper: &str) -> String {
     signature.replace("KIND", keeper.rsplit('/').next().unwrap())
 }
 
-/// `shaders/README.md` states the contracts that there is a choice of, as their parts keep them.
+/// The contracts in `shaders/README.md` are those that their modules implement.
 #[test]
 fn the_table_of_contracts_is_true() {
     let parts = all_parts();
@@ -97,17 +97,17 @@ fn the_table_of_contracts_is_true() {
     assert!((50..=130).contains(&rows.len()), "{} contracts", rows.len());
     for [contract, _, signatures, keepers] in &rows {
         let (signatures, keepers) = (code(signatures), code(keepers));
-        assert!(!signatures.is_empty() && keepers.len() > 1, "`{contract}` is no choice");
+        assert!(!signatures.is_empty() && keepers.len() > 1, "`{contract}` has only one implementation");
         for keeper in &keepers {
-            let part = with_name(keeper).unwrap_or_else(|| panic!("`{contract}` names {keeper}, which is no part"));
+            let part = with_name(keeper).unwrap_or_else(|| panic!("`{contract}` names {keeper}, not a module"));
             for signature in signatures.iter().map(|signature| of_keeper(signature, keeper)) {
-                assert!(declares(part.text, &signature), "{keeper} keeps `{contract}` without `{signature}`");
+                assert!(declares(part.text, &signature), "{keeper} implements `{contract}` without `{signature}`");
             }
         }
     }
 }
 
-/// A function that other parts call is declared by one of them, or is one of a contract's that the table states in full.
+/// A function that other modules call is declared by one module, or belongs to a contract that the table states in full.
 #[test]
 fn functions_are_declared_once_or_by_contract() {
     let texts: Vec<(&str, String)> =
@@ -133,12 +133,12 @@ fn functions_are_declared_once_or_by_contract() {
         let in_full =
             stated.get(*name).is_some_and(|keepers| keepers.iter().map(String::as_str).eq(files.iter().copied()));
         if let Some((caller, _)) = called {
-            assert!(in_full, "{caller} calls `{name}`, which {files:?} declare, and the table does not say so");
+            assert!(in_full, "{caller} calls `{name}`, which {files:?} declare, but the table does not list it");
         }
     }
 }
 
-/// Every part and every constant of one that the host names is there.
+/// Every module and every constant that the Rust code names exists in the shaders.
 #[test]
 fn what_the_host_names_is_in_the_shaders() {
     let parts = all_parts();
@@ -166,7 +166,7 @@ fn what_the_host_names_is_in_the_shaders() {
     assert!(constants > 10, "only {constants} constants were found");
 }
 
-/// One name per stage: entry point, file and Rust variant.
+/// Each stage has one name: entry point, file and Rust variant.
 #[test]
 fn each_pass_has_one_name() {
     let passes = [
@@ -195,7 +195,7 @@ fn each_pass_has_one_name() {
     }
 }
 
-/// `cargo test` ignores a test that needs another program; `make test` has to know when to run it.
+/// `cargo test` ignores a test that needs another program; `make test` must list when to run it.
 #[test]
 fn make_test_knows_every_ignored_test() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));

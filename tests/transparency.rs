@@ -1,6 +1,6 @@
 //! Tests a transparent sky: alpha is one minus the visible fraction of the sky, for every kind of image.
 
-#![allow(clippy::float_cmp)] // of a ball each sample is covered or not
+#![allow(clippy::float_cmp)] // each sample of a ball is covered or not
 
 use bentray::output::{film, lost_alpha};
 use bentray::program::{ProgramOptions, Schedule};
@@ -20,7 +20,7 @@ fn alpha(scene: &Scene) -> Vec<f32> {
     rendered(scene, Schedule::Whole).band.alpha.expect("alpha")
 }
 
-/// A picture of parallel rays, 4 by 4 units, of this on the z axis; more of [rays] before it.
+/// Returns a scene of an object on the z axis, seen by parallel rays in 4 by 4 units, with additional keys of [rays].
 fn before(size: u32, rays: &str, object: &str) -> Scene {
     scene(&format!(
         "sky = \"transparent\"\n[image]\nsize = [{size}, {size}]\n[camera]\nkind = \"orthographic\"\nheight = 4\nposition = [0, 0, 5]\n\
@@ -31,11 +31,11 @@ fn before(size: u32, rays: &str, object: &str) -> Scene {
 }
 
 const BALL: &str = "shape = \"sphere\"\nmaterial = \"shine\"";
-/// White light comes out of it as [1/4, 1/16, 1], so that 7/16 of the sky is seen.
+/// White light leaves it as [1/4, 1/16, 1], so that 7/16 of the sky is visible.
 const SLAB: &str = "shape = \"box\"\nmin = [-4, -4, -1]\nmax = [4, 4, 1]\ninterior = { kind = \"constant\", n = 1, absorption = [0.5, 0.25, 1] }";
 const PATHS: &str = "lighting = \"path-tracing\"";
 
-/// A disk of radius 1 covers a part of the picture that its samples find, and colors are multiplied by that.
+/// A disk of radius 1 covers a fraction of each pixel that its samples determine, and multiplies its color by that.
 #[test]
 fn a_ball_covers_its_disk() {
     for (rays, adaptive) in [("", None), (PATHS, None), ("", Some(0.02))] {
@@ -43,7 +43,7 @@ fn a_ball_covers_its_disk() {
         (scene.image.samples, scene.image.adaptive) = (64, adaptive);
         let picture = rendered(&scene, Schedule::Whole);
         let alpha = picture.band.alpha.as_ref().expect("alpha");
-        // 16 pixels are of 4 units.
+        // 16 pixels correspond to 4 units.
         for (i, covered) in alpha.iter().enumerate() {
             let [x, y] = [i % 16, i / 16].map(|k| 0.25 * (k as f64 + 0.5) - 2.0);
             let (near, far) = (x.hypot(y) < 1.0 - 0.18, x.hypot(y) > 1.0 + 0.18);
@@ -53,14 +53,14 @@ fn a_ball_covers_its_disk() {
                 assert!((channel[i] - light * covered).abs() <= 1e-5, "{x} {y}: {} of {covered}", channel[i]);
             }
         }
-        // Some 50 pixels are cut by the edge. Each of their samples is right or wrong by at most half: with stratified ones the sum is
-        // known to less than one pixel in 201.
+        // The edge cuts about 50 pixels, whose samples are each wrong by at most half: with stratified samples the error of the sum is less
+        // than one pixel in 201.
         let area: f64 = alpha.iter().map(|x| f64::from(*x)).sum::<f64>() / 16.0;
         assert!((area - std::f64::consts::PI).abs() < 0.06, "{rays} {adaptive:?}: {area}");
     }
 }
 
-/// What comes through a filter, or back from a mirror, would be seen of the sky; matter and holes hide it.
+/// Light through an absorbing medium, or from a mirror, would show the sky; matter and black holes hide it.
 #[test]
 fn alpha_is_what_would_not_be_seen_of_the_sky() {
     let mirror = "shape = \"plane\"\ncenter = [0, 0, -1]\nnormal = [0, 0, 1]\nmaterial = \"mirror\"";
@@ -81,7 +81,7 @@ fn alpha_is_what_would_not_be_seen_of_the_sky() {
             }
         }
     }
-    // Media that glow are followed as paths are: their light needs no sky behind it.
+    // Emissive media are followed like paths: their light needs no sky behind it.
     let glowing = SLAB.replace(
         "absorption = [0.5, 0.25, 1]",
         "absorption = { transmittance = [0.5, 0.25, 1], emission = [1, 0, 0] }",
@@ -91,7 +91,7 @@ fn alpha_is_what_would_not_be_seen_of_the_sky() {
     assert!(picture.band.color[0].iter().all(|x| *x > 0.5));
 }
 
-/// Glass shows what it lets through and what it reflects: on the axis, all of it.
+/// Glass shows the light that it transmits and reflects: on the axis, all of it.
 #[test]
 fn clear_glass_covers_nothing() {
     let clear = SLAB.replace("n = 1, absorption = [0.5, 0.25, 1]", "n = 1.5");
@@ -102,7 +102,7 @@ fn clear_glass_covers_nothing() {
     }
 }
 
-/// What falls into a hole is covered, in every schedule alike.
+/// Rays that fall into a black hole are covered, equally in every schedule.
 #[test]
 fn holes_are_covered_in_every_schedule() {
     let hole = scene(
@@ -119,7 +119,7 @@ fn holes_are_covered_in_every_schedule() {
     }
 }
 
-/// A film without alpha shows the light that pixels have: of white that covers a half, half of the light, sRGB 188.
+/// A video without alpha shows pixels in front of black: half-covered white is half of the light, sRGB 188.
 #[test]
 fn films_without_alpha_are_before_black() {
     let folder = tempfile::tempdir().unwrap();

@@ -1,4 +1,4 @@
-//! Objects that move, seen where they were when their light left them, against closed forms and objects at rest.
+//! Moving objects, seen where they were when their light left them, compared with closed forms and objects at rest.
 
 use bentray::program::{Layer, ProgramOptions, Schedule};
 use bentray::render::{RenderSettings, Renderer, Status, trace};
@@ -26,7 +26,7 @@ fn sphere_passing(precision: &str, camera: &str) -> String {
     )
 }
 
-/// The time back at which the ray from x along d meets the passing sphere: |x + d τ − (start + w (t − τ))| = r, solved in closed form.
+/// Returns the time back at which the ray from x along d meets the passing sphere: |x + d τ − (start + w (t − τ))| = r, in closed form.
 fn meeting(x: DVec3, d: DVec3) -> Option<f64> {
     let (a, b) = (x - START - WHEN * VELOCITY, d + VELOCITY);
     let (bb, ab) = (b.length_squared(), a.dot(b));
@@ -35,7 +35,7 @@ fn meeting(x: DVec3, d: DVec3) -> Option<f64> {
     [-root, root].map(|root| (root - ab) / bb).into_iter().find(|tau| *tau > 0.0)
 }
 
-/// In flat space: which rays meet a sphere that passes, where and when; what rests beside it is met as it always is.
+/// Checks in flat space which rays meet a passing sphere, where and when; a sphere at rest next to it is met as usual.
 #[test]
 fn passing_spheres_are_met_where_they_were() {
     let mut random = Random::new(19);
@@ -59,7 +59,7 @@ fn passing_spheres_are_met_where_they_were() {
             };
             let told = [meeting(x, d).map(|tau| (0, tau)), still.map(|tau| (1, tau))];
             let told = told.into_iter().flatten().min_by(|a, b| a.1.total_cmp(&b.1));
-            // Whether rays graze is for rounding to say.
+            // Rounding decides whether rays graze.
             let sine = told.map_or(1.0, |(object, tau)| {
                 let middle = if object == 0 { START + (WHEN - tau) * VELOCITY } else { DVec3::new(0.0, 6.0, 0.0) };
                 let relative = if object == 0 { d + VELOCITY } else { d };
@@ -79,12 +79,12 @@ fn passing_spheres_are_met_where_they_were() {
     }
 }
 
-/// Of light from what passes, its frequency by Doppler's formula; from what rests to who moves too.
+/// Checks the frequency of light by the Doppler formula, from passing objects, and from objects at rest for a moving observer.
 #[test]
 fn passing_light_is_shifted_by_its_speed() {
     let eye = DVec3::new(0.0, 0.0, 9.0);
     let tau = {
-        // Aimed at the sphere's middle where it was: |middle(t − τ) − eye| = τ.
+        // Aimed at the earlier center of the sphere: |middle(t − τ) − eye| = τ.
         let (a, b) = (START + WHEN * VELOCITY - eye, -VELOCITY);
         let (half, rest) = (a.dot(b), 1.0 - b.length_squared());
         (half + (half * half + rest * a.length_squared()).sqrt()) / rest
@@ -98,8 +98,8 @@ fn passing_light_is_shifted_by_its_speed() {
     assert!((found / told - 1.0).abs() < 1e-5, "{found} for {told}");
 }
 
-/// Round a spinning hole a small sphere on an orbit is met where a ray crosses the equator, if it is there when the ray is; its light shifts as
-/// series say. At the same place at another time it is not met.
+/// Around a rotating black hole a small orbiting sphere is met at a ray's crossing of the equator if both arrive together; its redshift
+/// agrees with series. At another time it is not met there.
 #[test]
 fn orbiting_spheres_are_met_in_time() {
     for row in rows(include_str!("tables/disc_crossings.tsv")) {
@@ -128,7 +128,7 @@ fn orbiting_spheres_are_met_in_time() {
         assert!(DVec3::from(pixel[0].x).distance(crossing) < 1e-5, "{:?} for {crossing}", pixel[0].x);
         let u = law.observer(Observer::ProgradeOrbit, crossing).unwrap().unwrap();
         let turning = u.truncate().dot(DVec3::Z.cross(crossing)) / (u.w * crossing.length_squared());
-        // So that it is at the crossing 13 − τ after it is in its place.
+        // The sphere reaches the crossing a time of 13 − τ after its initial position.
         let placed = |late: f64| {
             let turn = DMat3::from_rotation_z(-turning * (13.0 - pixel[0].tau + late));
             let center = turn * crossing;
@@ -151,8 +151,8 @@ fn orbiting_spheres_are_met_in_time() {
     }
 }
 
-/// At another time an orbiting object is where turning it brings it, and what is at rest on its orbit is where it was: the pictures are the
-/// same in all schedules, with every structure.
+/// At another time an orbiting object is at its rotated position, and an object at rest on its orbit is where it was; images are identical
+/// in all schedules, with every structure.
 #[test]
 fn moving_objects_are_the_same_in_all_schedules() {
     let text = |time: f64, turned: f64| {

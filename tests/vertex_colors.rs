@@ -11,18 +11,18 @@ use glam::{DMat3, DVec3};
 
 use crate::support::gpu;
 
-/// Linear colors in a cube of half width 1, from 0.05 to 0.95.
+/// Returns linear colors in a cube of half width 1, from 0.05 to 0.95.
 fn color(p: DVec3) -> DVec3 {
     let gradient = DMat3::from_cols_array(&[0.2, -0.1, 0.05, 0.05, 0.25, -0.1, 0.2, -0.1, 0.3]);
     DVec3::splat(0.5) + gradient * p
 }
 
-/// IEC 61966-2-1.
+/// The transfer function of IEC 61966-2-1.
 fn encoded(x: f64) -> f64 {
     if x <= 0.003_130_8 { 12.92 * x } else { 1.055 * x.powf(1.0 / 2.4) - 0.055 }
 }
 
-/// A cube, each side cut into n × n squares, wound inward, so that a mirror of it is met as the solid that it encloses.
+/// Returns a cube, each side cut into n × n squares and wound inward, so that its mirror image is treated as a solid.
 fn cube(n: u32) -> String {
     let mut obj = String::new();
     for axis in 0..3 {
@@ -42,16 +42,16 @@ fn cube(n: u32) -> String {
     obj
 }
 
-/// A picture of parallel rays along z, of this square about the origin.
+/// An image of parallel rays along z, of this square around the origin.
 const SIZE: u32 = 24;
 const HALF: f64 = 2.0;
 
-/// A scene of cubes that are turned about z only, before a white sky.
+/// Returns a scene of cubes that are only rotated around z, in front of a white sky.
 fn scene(n: u32, rays: &str, materials: &str, objects: &[String]) -> Scene {
     let folder = tempfile::tempdir().unwrap();
     std::fs::write(folder.path().join("cube.obj"), cube(n)).unwrap();
     let objects = objects.join(" }, { shape = \"mesh\", file = \"cube.obj\", ");
-    // On paths only what shines gives light.
+    // In path tracing only emitters give light.
     let is_traced = rays.contains("path-tracing");
     let lights = if is_traced { "" } else { "lights = [{ kind = \"directional\", direction = [0, 0, -1] }]\n" };
     let text = format!(
@@ -64,7 +64,7 @@ fn scene(n: u32, rays: &str, materials: &str, objects: &[String]) -> Scene {
     Scene::parse(&text, &folder.path().join("scene.toml"), &[]).unwrap_or_else(|error| panic!("{text}\n{error}"))
 }
 
-/// Compares each pixel with `expected`, of the object that it sees, counted from 0, and the position in that object's own space.
+/// Compares each pixel with `expected`, a function of its object, counted from 0, and the position in object space.
 fn check(scene: &Scene, schedule: Schedule, tolerance: f64, expected: impl Fn(usize, DVec3) -> DVec3) {
     let options = ProgramOptions { schedule, ..ProgramOptions::default() };
     let settings = RenderSettings { options, ..RenderSettings::default() };
@@ -96,10 +96,10 @@ const EMISSIVE: &str = "materials.m = { kind = \"emissive\", color = { vertex_co
 
 /// Half a unit in the last place of 32 bits, relative.
 const U: f64 = 1.0 / 16_777_216.0;
-/// A color is a sum of three products, of numbers that are rounded themselves: all that is left in 64 bits, which colors do not have.
+/// A color is a sum of three products of rounded numbers, which is the only error in 64 bits, because colors remain in 32.
 const DOUBLE: f64 = 6.0 * U;
-/// In 32 bits a position that is 20 from the camera is known to four roundings of that, and the color changes by no more than √(0.1² + 0.25²)
-/// in a unit of the cube, which is 1.8 or more in the scene.
+/// In 32 bits a position 20 from the camera has four roundings of that, and the color changes by at most √(0.1² + 0.25²) per unit of the
+/// cube, which is at least 1.8 in the scene.
 const SINGLE: f64 = 4.0 * 20.0 * U * 0.27 / 1.8 + DOUBLE;
 
 #[test]
@@ -115,7 +115,7 @@ fn vertex_colors_are_mixed_by_barycentric_coordinates() {
     }
 }
 
-/// How rays are followed, a material, and what the vertex colors are multiplied by.
+/// Checks combinations of ray settings, a material, and the factor of the vertex colors.
 #[test]
 fn vertex_colors_multiply_the_color_of_any_material() {
     let half = DVec3::new(0.5, 1.0, 0.25);
@@ -142,7 +142,7 @@ fn vertex_colors_multiply_the_color_of_any_material() {
     }
 }
 
-/// A mesh that is kept once, many times, with a material that uses its colors and one that does not.
+/// Checks instances of a mesh, with a material that uses its colors and one that does not.
 #[test]
 fn meshes_that_are_kept_once_have_their_colors_in_every_place() {
     let materials = "[materials]\nm = { kind = \"emissive\", color = { vertex_colors = true } }\n\
@@ -154,13 +154,13 @@ fn meshes_that_are_kept_once_have_their_colors_in_every_place() {
     };
     let scene = scene(40, "acceleration = \"bvh\"", materials, &(0..16).map(place).collect::<Vec<_>>());
     assert!(Analysis::of(&scene).structure.once);
-    // The smallest scale is 0.5 across the view, where it was 1.8.
+    // The smallest scale across the view is 0.5 instead of 1.8.
     check(&scene, Schedule::Whole, 1.8 / 0.5 * SINGLE, |object, p| {
         if object.is_multiple_of(3) { DVec3::new(0.25, 0.5, 0.75) } else { color(p) }
     });
 }
 
-/// A program has nothing of vertex colors unless a material uses them.
+/// A program only supports vertex colors if a material uses them.
 #[test]
 fn scenes_that_do_not_use_vertex_colors_do_not_pay_for_them() {
     let linked = |material: &str| {

@@ -8,7 +8,7 @@ use bentray::scene::Scene;
 
 use crate::support::gpu;
 
-/// Alcubierre's bubble, of speed 0.9 and radius 1.
+/// An Alcubierre warp bubble, of speed 0.9 and radius 1.
 struct Bubble {
     sigma: f64,
 }
@@ -16,15 +16,15 @@ struct Bubble {
 const SPEED: f64 = 0.9;
 
 impl Bubble {
-    /// The shape f at the distance s from the middle, and its slope.
+    /// Returns the shape f at the distance s from the center, and its slope.
     fn shape(&self, s: f64) -> (f64, f64) {
         let (out, back) = ((self.sigma * (s + 1.0)).tanh(), (self.sigma * (s - 1.0)).tanh());
         let whole = 2.0 * self.sigma.tanh();
         ((out - back) / whole, self.sigma * (back * back - out * out) / whole)
     }
 
-    /// The rates of the position in the bubble's plane, (x − vt, y), and of the wave vector: Hamilton's equations of
-    /// H = |p| + v f pₓ, which is light's `−p_t`.
+    /// Returns the rates of the position in the bubble's plane, (x − vt, y), and of the wave vector: the Hamiltonian equations of H = |p| +
+    /// v f pₓ, which is `−p_t` of the light.
     fn rates(&self, [x, y, px, py]: [f64; 4]) -> [f64; 4] {
         let (s, p) = (x.hypot(y), px.hypot(py));
         let (shape, slope) = self.shape(s);
@@ -32,9 +32,9 @@ impl Bubble {
         [px / p - (1.0 - shape) * SPEED, py / p, pull * x, pull * y]
     }
 
-    /// Where the star is that an observer near the middle sees at `seen`, both in radians from straight ahead, and the energy of
-    /// its light there over that outside: backward along the ray by the classical Runge–Kutta method, whose error at this step
-    /// is below 1e-8.
+    /// Returns the direction of the star that an observer near the center sees at `seen`, both in radians from straight ahead, and the
+    /// energy of its light there divided by that outside. Integrates backward along the ray by the classical Runge–Kutta method, whose
+    /// error at this step is below 1e-8.
     fn star(&self, seen: f64) -> (f64, f64) {
         let step = -0.02 / self.sigma;
         let mut at = [0.01, 0.0, -seen.cos(), -seen.sin()];
@@ -62,7 +62,7 @@ fn the_guides_angles_are_those_of_light() {
             let (star, energy) = Bubble { sigma }.star(row[0].to_radians());
             let off = star.to_degrees() - shown;
             assert!(off.abs() < 0.0051, "{sigma}: seen at {}°, {shown}° is off by {off}", row[0]);
-            // The camera is a little ahead of the middle, where 1 − f is 2e-6 at σ = 4.
+            // The camera is slightly ahead of the center, where 1 − f is 2e-6 at σ = 4.
             let kept = 1.0 + SPEED * (1.0 - Bubble { sigma }.shape(0.01).0) * row[0].to_radians().cos();
             assert!((energy * kept - (1.0 + SPEED * star.cos())).abs() < 1e-7, "{sigma}: {energy} from {star}");
         }
@@ -74,7 +74,7 @@ fn the_guides_angles_are_those_of_light() {
     assert!(words.contains(&format!("the star {:.1}° off it is seen at 20°", 180.0 - star(160.0))));
 }
 
-/// The shipped scene shows each star where an integration of its own finds it.
+/// The shipped scene shows each star where an independent integration finds it.
 #[test]
 fn the_scene_shows_stars_where_their_light_comes_from() {
     let gpu = gpu();
@@ -91,13 +91,13 @@ fn the_scene_shows_stars_where_their_light_comes_from() {
         let (ends, _) = trace_pixels(&gpu, &scene, &RenderSettings::default(), &pixels).unwrap();
         for ([x, y], end) in pixels.iter().zip(ends) {
             assert_eq!(end.status, Status::Escaped);
-            // An equidistant fisheye: 90° from the middle to the rim, which is 240 pixels away.
+            // An equidistant fisheye: 90° from the center to the rim, which is 240 pixels away.
             let pixel = (f64::from(*x) + 0.5 - 320.0).hypot(f64::from(*y) + 0.5 - 240.0);
             let off_axis = (pixel / 240.0 * 90.0).to_radians();
             let seen = if sign > 0.0 { off_axis } else { std::f64::consts::PI - off_axis };
             let (star, _) = Bubble { sigma }.star(seen);
             let found = end.v[1].hypot(end.v[2]).atan2(end.v[0]);
-            // As other line elements: 2e-5 rad, and 40 roundings, which the wall multiplies by 2 at most.
+            // The bounds of other line elements: 2e-5 rad, and 40 roundings, which the wall multiplies by at most 2.
             assert!((found - star).abs() < 4e-5, "{sigma}: seen at {seen}, {found} instead of {star}");
         }
     }

@@ -1,4 +1,4 @@
-//! Observers who are left to themselves, or go a way that is given: where they come to by their own clocks, against closed forms.
+//! Freely falling observers, and observers on given worldlines: their positions at each proper time, compared with closed forms.
 
 use bentray::model::Law;
 use bentray::model::camera::{Event, Path, WorldlineError, fall};
@@ -20,7 +20,8 @@ fn square(law: &dyn Law, event: &Event) -> f64 {
     event.u.dot(law.metric(event.x, event.t).unwrap() * event.u)
 }
 
-/// From rest far away to the middle it takes √(2/9M) r^(3/2) by one's own clock, in any coordinates; through a horizon in those that go there.
+/// A fall from rest far away to the center takes the proper time √(2/9M) r^(3/2) in any coordinates; it passes a horizon in coordinates
+/// that extend through it.
 #[test]
 fn who_falls_from_rest_takes_as_long_as_closed_forms_say() {
     let spent = |from: f64, to: f64| (from.powf(1.5) - to.powf(1.5)) * (2.0 / 9.0 / 1.5_f64).sqrt();
@@ -35,7 +36,7 @@ fn who_falls_from_rest_takes_as_long_as_closed_forms_say() {
         assert!((end.x.length() - to).abs() < 1e-8 && (square(&*law, &end) + 1.0).abs() < 1e-8, "{text}: {end:?}");
         assert!(end.x.cross(start.x).length() < 1e-8);
     }
-    // Nothing comes through a horizon after a finite time of these coordinates, and nobody goes on below the middle.
+    // In these coordinates nothing passes a horizon in finite time, and no observer continues beyond the center.
     let outside = law("kind = \"schwarzschild\"");
     let end = fall(&*outside, begun(&*outside, Observer::Infalling, 8.0 * DVec3::X), 20.0).unwrap_err();
     assert!(end > 5.0 && end < 10.5, "{end}");
@@ -44,8 +45,8 @@ fn who_falls_from_rest_takes_as_long_as_closed_forms_say() {
     assert!((end - (2.0_f64 / 9.0 * 512.0).sqrt()).abs() < 0.01, "{end}");
 }
 
-/// Circular orbits stay what they are; and on any way round a spinning hole energy, angular momentum and what Carter found are kept, also by
-/// its line element.
+/// Circular orbits stay circular. On any path around a rotating black hole energy, angular momentum and the Carter constant are conserved,
+/// also by its line element.
 #[test]
 fn who_is_left_to_himself_keeps_what_light_keeps() {
     for text in [
@@ -77,7 +78,7 @@ fn who_is_left_to_himself_keeps_what_light_keeps() {
     }
 }
 
-/// Where space grows, what moves in it slows down: its momentum falls as space grows.
+/// In expanding space moving objects slow down: momentum falls as space grows.
 #[test]
 fn who_moves_slows_down_as_space_grows() {
     let law = law(
@@ -94,7 +95,7 @@ fn who_moves_slows_down_as_space_grows() {
     assert!(speed.distance(dvec3(0.0, told, 0.0)) < 1e-9, "{speed}");
 }
 
-/// Along a way that is given: a straight one at an even speed, and a circle at rest in its own frame; what is no way is refused.
+/// Checks given worldlines: a straight one at constant speed, and a circle with a comoving frame; an invalid worldline is rejected.
 #[test]
 fn worldlines_have_a_time_of_their_own() {
     let flat = law("kind = \"straight\"");
@@ -123,7 +124,7 @@ fn worldlines_have_a_time_of_their_own() {
     assert_eq!(Path::through(vec![DVec4::W, DVec4::X]), Err(WorldlineError::NotLater(1)));
 }
 
-/// A film of a fall is one of its own time: even frames, through the horizon.
+/// A video of a fall has frames at equal steps of proper time, through the horizon.
 #[test]
 fn cameras_fall_by_their_own_clocks() {
     let seen = |proper: f64| -> Scene {

@@ -1,4 +1,4 @@
-//! Light round wormholes and through them.
+//! Light around wormholes and through them.
 
 use bentray::measure::drift;
 use bentray::model::law::Wormhole;
@@ -9,7 +9,7 @@ use crate::oracle::{rows, traced, vector};
 use crate::shaders::Random;
 use crate::support::{gpu, scene};
 
-/// A wormhole as who writes its line element would, of its keys in a row.
+/// Returns the line element of a wormhole as a user would write it, from the keys in a row.
 fn written(law: &str) -> String {
     let number = |key: &str| {
         let found = law.split(';').find_map(|part| part.strip_prefix(key)?.strip_prefix('='));
@@ -31,8 +31,8 @@ fn written(law: &str) -> String {
     )
 }
 
-/// As other tables: in 32 bits within 2e-5 or 40 times what one rounding of the input does, in 64 within 1e-9; also where the mouths
-/// stand elsewhere, and where the line element is written. A path's speed and L/E are kept on both sides, as well as its end is known.
+/// Compares rays with a table: in 32 bits within 2e-5 or 40 times the effect of one rounding of the input, in 64 within 1e-9; also for
+/// displaced mouths and written line elements. Speed and L/E are conserved on both sides, with the accuracy of the end.
 #[test]
 fn rays_end_on_the_side_and_where_quadratures_say() {
     let rows = rows(include_str!("tables/wormholes.tsv"));
@@ -61,7 +61,7 @@ fn rays_end_on_the_side_and_where_quadratures_say() {
                 let law = scene(&scene_of(row)).law;
                 let (x, v) = start(row);
                 let kept = drift(&*law, [([x, law.starting_velocity(x, v)], &end)].into_iter());
-                // In lengths of space.
+                // In units of proper length.
                 let n = place.normalize();
                 let (metric, v) = (law.metric(DVec3::from(end.x), 0.0).unwrap(), DVec3::from(end.v));
                 let across = v - n.dot(v) * n;
@@ -82,8 +82,8 @@ fn rays_end_on_the_side_and_where_quadratures_say() {
     }
 }
 
-/// Round Ellis's wormhole the angle from infinity to infinity is twice the complete elliptic integral K(ρ₀/b), or through it (2b/ρ₀) K(b/ρ₀).
-/// From R it is less by b/R at each end.
+/// Around an Ellis wormhole the angle from infinity to infinity is twice the complete elliptic integral K(ρ₀/b), and through it (2b/ρ₀)
+/// K(b/ρ₀). From R it is less by b/R at each end.
 #[test]
 fn angles_round_ellis_wormhole_are_elliptic_integrals() {
     let far = 1e4;
@@ -101,7 +101,7 @@ fn angles_round_ellis_wormhole_are_elliptic_integrals() {
             3.0 * far,
             far + radius
         ));
-        // L/E = r v⊥, of unit speed.
+        // L/E = r v⊥, for unit speed.
         let sine = impact / law.width(far);
         let v = DVec3::new(-(1.0 - sine * sine).sqrt(), sine * (far + radius) / law.width(far), 0.0);
         let (ends, _) =
@@ -118,7 +118,7 @@ fn angles_round_ellis_wormhole_are_elliptic_integrals() {
     }
 }
 
-/// A ray passes if it heads inwards with b below the throat's width, and no other does: none within 1e-4 of that.
+/// A ray passes only if it is directed inward with b below the radius of the throat; no ray is within 1e-4 of that.
 #[test]
 fn every_ray_comes_out_on_the_right_side() {
     let gpu = gpu();
@@ -137,7 +137,7 @@ fn every_ray_comes_out_on_the_right_side() {
                 continue;
             }
             let (x, aside) = (mouth + (1.0 + far) * n, d - rising * n);
-            // In the coordinates of its drawing.
+            // In the coordinates of the embedding.
             let v = rising * n + aside * ((1.0 + far) / law.width(far));
             rays.push([x.x, x.y, x.z, v.x, v.y, v.z]);
             through.push((impact < 1.0 && rising < 0.0) != (mouth == law.other));
@@ -158,7 +158,8 @@ fn every_ray_comes_out_on_the_right_side() {
     }
 }
 
-/// A pixel that looks away from the mouth sees this side's sky, one that looks through it the other's, or what stands there: by paths too.
+/// A pixel that looks away from the mouth sees the sky of this side, and one that looks through it sees the sky or objects of the other
+/// side, also in path tracing.
 #[test]
 fn each_side_has_its_own_sky_and_objects() {
     let gpu = gpu();

@@ -1,4 +1,4 @@
-//! Media that a scene gives in full, formulas and samples, through whole programs.
+//! Media that a scene specifies by formulas and samples, in whole programs.
 
 use bentray::render::{RenderSettings, Status, Traced, trace};
 use glam::DVec3;
@@ -19,7 +19,7 @@ fn furthest(a: &[Traced], b: &[Traced]) -> f64 {
     a.iter().zip(b).map(|(a, b)| a.distance_to(b).max(a.angle_to(b))).fold(0.0, f64::max)
 }
 
-/// The same lens by the built-in part and as a formula, about a center of its own, in both precisions and by several methods.
+/// Compares a built-in lens with a formula for it around a different center, in both precisions and by several methods.
 #[test]
 fn a_lens_as_a_formula_is_the_lens() {
     let lens = "{ kind = \"luneburg\", radius = 1, center = [0.1, 0.2, 0] }";
@@ -37,7 +37,7 @@ fn a_lens_as_a_formula_is_the_lens() {
     }
 }
 
-/// In Maxwell's fisheye every ray from p runs on a circle through −a² p/|p|².
+/// In a Maxwell fisheye every ray from p moves on a circle through −a² p/|p|².
 #[test]
 fn a_fisheye_as_a_formula_has_circles() {
     let index = "{ kind = \"expression\", n = \"2 / (1 + (x^2 + y^2 + z^2) / 4)\", scale = 1 }";
@@ -63,8 +63,8 @@ fn a_fisheye_as_a_formula_has_circles() {
     }
 }
 
-/// Where a formula has no value, or none above 0, rays fail by every method, and none is taken for something else. One that comes so near
-/// that no step is short enough stalls.
+/// If a formula has no value, or none above 0, rays fail by every method, and none ends otherwise. A ray so close to such a point that no
+/// step is short enough stalls.
 #[test]
 fn rays_fail_where_there_is_no_index() {
     let methods = [
@@ -90,7 +90,7 @@ fn rays_fail_where_there_is_no_index() {
             }
         }
     }
-    // Below 0 there is a value, which is no index.
+    // A value below 0 is not a valid index.
     let steep = "{ kind = \"expression\", n = \"1.01 - exp(4 * x)\" }";
     for end in ends(
         steep,
@@ -101,8 +101,8 @@ fn rays_fail_where_there_is_no_index() {
     }
 }
 
-/// A smooth index and its samples: the spline's slopes are central differences, so that paths err by the square of the cell, or
-/// less where errors to both sides cancel.
+/// A smooth index and its samples: the slopes of the spline are central differences, so that path errors are of second order in the cell
+/// size, or less if errors of both signs cancel.
 #[test]
 fn samples_of_an_index_bend_as_it_does() {
     let folder = tempfile::tempdir().unwrap();

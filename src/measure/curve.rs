@@ -113,7 +113,7 @@ mod tests {
 
     #[test]
     fn refraction_at_an_end_does_not_bend_what_comes_before() {
-        // A straight line to a surface, where the recorded velocity is the one behind it.
+        // A straight line to a surface, with the recorded velocity behind that surface.
         let path = [
             at([0.0; 3], [1.0, 0.0, 0.0], 0.0),
             at([2.0, 0.0, 0.0], [0.8, 0.6, 0.0], 2.0),

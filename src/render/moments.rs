@@ -65,7 +65,7 @@ mod tests {
         RenderSettings { options, tile_pixels, ..RenderSettings::default() }
     }
 
-    /// Checks that each sample shows only its own moment: two scenes in either order contribute as much as each scene alone.
+    /// Checks that each sample only shows its moment: two scenes in either order contribute as much as each scene alone.
     #[test]
     fn moments_share_the_samples() {
         let gpu = Gpu::open(None).unwrap();

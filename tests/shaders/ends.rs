@@ -9,7 +9,7 @@ use crate::support::{
     probe::{Probe, about_a_point},
 };
 
-/// EQUATIONS 4: v = d⊥ + √(1 − 2M/r) (d·n̂) n̂, whose length by the black hole's metric equals the length of d.
+/// The static observer: v = d⊥ + √(1 − 2M/r) (d·n̂) n̂, whose length by the black hole's metric equals the length of d.
 #[test]
 fn static_observer() {
     let center = Vec3::new(-0.5, 2.0, 1.0);

@@ -37,7 +37,7 @@ fn hermite([a, b, c, d]: [f64; 4], t: f64) -> [f64; 2] {
     [value, slope]
 }
 
-/// Returns the gradient and the value by one-dimensional splines.
+/// Returns the gradient and the value; `along` is the axis of a slope, or 3 for the value.
 fn spline(samples: &[f32], x: DVec3) -> (DVec3, f64) {
     let p = (x - ORIGIN) / CELL;
     let inside: [f64; 3] = std::array::from_fn(|k| p[k].clamp(0.0, f64::from(SIZE[k] - 1)));

@@ -124,7 +124,7 @@ fn schwarzschild_geodesic_form() {
         let slack = U * (20.0 + 8.0 / f);
         let near = f < 0.05;
         if (f - 0.05).abs() > 1e-6 {
-            // EQUATIONS 1, with (|v|² − ṙ²) as |v⊥|².
+            // The geodesic equation with (|v|² − ṙ²) as |v⊥|².
             let far = -MASS * (r - 2.0 * MASS) / r.powi(3) * clock * clock
                 + MASS / (r * (r - 2.0 * MASS)) * radial * radial
                 - 2.0 * MASS * across2 / (r * r);
@@ -153,7 +153,7 @@ fn schwarzschild_geodesic_form() {
 const SPIN: DVec3 = DVec3::new(0.6, -0.5, 0.75);
 const CHARGE: f64 = 0.5;
 
-/// The Hamiltonian h of SPACETIMES 2 for g = η + f l l, with f and l in their textbook form, around an axis e.
+/// The Hamiltonian h for g = η + f l l, with f and l in their textbook form, around an axis e.
 struct Hamilton {
     e: DVec3,
     a: f64,

@@ -44,7 +44,7 @@ fn check(kind: &str, list: &'static str, targets: [Place; 2], expect: impl Fn(&m
         put(2u, vec4f(s.uv, f32(s.object), 0.0));"
     );
     let record = |k: usize| {
-        // The hole of a disk determines its radius.
+        // The `radius` of a disk's record is the inner radius.
         let radius = if kind == "disk" { HOLE } else { targets[k].radius };
         Place { radius, ..targets[k] }.record(k as u32)
     };

@@ -16,17 +16,17 @@ use std::collections::HashMap;
 use bentray::program::{LinkedProgram, validated};
 use naga::{AddressSpace, Block, Expression, Function, Handle, Module, Statement};
 
-/// Where a value comes from.
+/// The origin of a value.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Default)]
 enum Origin {
-    /// The text itself.
+    /// A constant in the text.
     #[default]
     Constant,
-    /// A part, asked by a call, that answers with a constant.
+    /// The constant result of a call of a module's function.
     Answer,
-    /// The scene's uniforms.
+    /// The uniforms of the scene.
     Scene,
-    /// Anything else.
+    /// Any other origin.
     Varying,
 }
 
@@ -42,14 +42,14 @@ enum Slot {
     Result(usize),
 }
 
-/// A branch on what a scene or a part fixes: where it stands, and what it asks.
+/// A branch on a value that a scene or a module fixes: its file and its condition.
 #[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Branch {
     pub file: String,
     pub condition: String,
 }
 
-/// Those of a program.
+/// Returns the fixed branches of a program.
 pub fn fixed_branches(linked: &LinkedProgram) -> Vec<Branch> {
     let module = validated(linked).unwrap_or_else(|error| panic!("{error}"));
     let mut analysis = Analysis::of(&module);
@@ -65,7 +65,7 @@ fn branch(linked: &LinkedProgram, span: naga::Span) -> Branch {
     Branch { file: linked.place(range.start).file, condition: without_numbers(&linked.source[range]) }
 }
 
-/// Names without the numbers that copies have behind them.
+/// Removes the numbers that copies have at the end of their names.
 fn without_numbers(condition: &str) -> String {
     let is_word = |c: char| c.is_alphanumeric() || c == '_';
     let words = condition.split_inclusive(|c| !is_word(c)).map(|piece| {
@@ -79,10 +79,10 @@ fn without_numbers(condition: &str) -> String {
 
 struct Analysis<'a> {
     module: &'a Module,
-    /// All functions; entry points behind the others.
+    /// All functions; entry points follow the others.
     functions: Vec<&'a Function>,
     origins: HashMap<Slot, Origin>,
-    /// How often a variable is written.
+    /// The number of writes to a variable.
     writes: HashMap<Slot, usize>,
 }
 
@@ -95,7 +95,7 @@ impl<'a> Analysis<'a> {
             for (local, variable) in function.local_variables.iter().filter(|(_, variable)| variable.init.is_some()) {
                 analysis.writes.insert(Slot::Local(k, local.index()), usize::from(variable.init.is_some()));
             }
-            // What a device hands to an entry point.
+            // The arguments that a device passes to an entry point.
             let handed = if k < module.functions.len() { 0 } else { function.arguments.len() };
             for i in 0..handed {
                 analysis.origins.insert(Slot::Parameter(k, i), Origin::Varying);
@@ -107,7 +107,7 @@ impl<'a> Analysis<'a> {
 
     fn count_writes(&mut self, k: usize, block: &Block, is_outermost: bool) {
         for statement in block {
-            // What is written in a branch or a loop, or through a pointer, may be any of several values.
+            // A store in a branch or a loop, or through a pointer, can have any of several values.
             match statement {
                 Statement::Store { pointer, .. } => self.write(k, *pointer, if is_outermost { 1 } else { 2 }),
                 Statement::Atomic { pointer, .. } => self.write(k, *pointer, 2),
@@ -126,7 +126,7 @@ impl<'a> Analysis<'a> {
         }
     }
 
-    /// The variable that an expression points into.
+    /// Returns the variable that an expression points into.
     fn variable(&self, k: usize, pointer: Handle<Expression>) -> Option<Slot> {
         match self.functions[k].expressions[pointer] {
             Expression::Access { base, .. } | Expression::AccessIndex { base, .. } => self.variable(k, base),
@@ -136,7 +136,7 @@ impl<'a> Analysis<'a> {
         }
     }
 
-    /// Raises origins by all that functions write, return and call with; false if there was nothing to raise.
+    /// Raises origins by all that functions write, return and pass to calls; returns `false` if nothing changed.
     fn pass(&mut self) -> bool {
         let mut raised = false;
         for k in 0..self.functions.len() {
@@ -180,7 +180,7 @@ impl<'a> Analysis<'a> {
         }
     }
 
-    /// The origins of a function's expressions.
+    /// Returns the origins of a function's expressions.
     fn values(&self, k: usize) -> Vec<Origin> {
         let mut values = Vec::new();
         for (_, expression) in self.functions[k].expressions.iter() {
@@ -228,7 +228,7 @@ impl<'a> Analysis<'a> {
         }
     }
 
-    /// Conditions that a scene or a constant fixes.
+    /// Returns the conditions that a scene or a constant fixes.
     fn branches(&self) -> Vec<naga::Span> {
         let mut found = Vec::new();
         for (k, function) in self.functions.iter().enumerate() {
@@ -266,7 +266,7 @@ impl<'a> Analysis<'a> {
     }
 }
 
-/// The blocks in a statement.
+/// Returns the blocks in a statement.
 fn blocks(statement: &Statement) -> Vec<&Block> {
     match statement {
         Statement::Block(block) => vec![block],

@@ -1,67 +1,67 @@
-//! Rows of `tables/lenses.tsv`: rays through media inside objects, and the scenes that they are in.
+//! Rows of `tables/lenses.tsv`: rays through media inside objects, and their scenes.
 
 use bentray::scene::{Bound, Scene};
 use glam::DVec3;
 
-/// A ray and what becomes of it.
+/// A ray and its expected path.
 #[derive(Debug, Clone)]
 pub struct Lens {
-    /// The row's name.
+    /// The name of the row.
     pub name: &'static str,
     /// The object, as lines of its table in a scene file.
     pub object: String,
-    /// Holds the object and the ray's start.
+    /// The bounding sphere, which contains the object and the start of the ray.
     pub bound: Bound,
-    /// Where the ray starts.
+    /// The start of the ray.
     pub origin: DVec3,
-    /// Where it goes; of any length.
+    /// The direction at the start, of any length.
     pub direction: DVec3,
-    /// What becomes of it.
+    /// The outcome.
     pub fate: Fate,
-    /// Where it enters the object, with its direction inside, unless it starts there.
+    /// The point at which it enters the object, with its direction inside, unless it starts inside.
     pub entry: Option<(DVec3, DVec3)>,
-    /// Of the surface there, where that is known.
+    /// The reflectance of the surface there, if known.
     pub entry_reflectance: Option<f64>,
-    /// Where it meets the surface from inside, with its direction there.
+    /// The point at which it meets the surface from inside, with its direction there.
     pub exit: Option<(DVec3, DVec3)>,
     /// Its direction after that.
     pub onward: Option<DVec3>,
-    /// Of the surface there.
+    /// The reflectance of the surface there.
     pub exit_reflectance: Option<f64>,
-    /// The angle about the center inside, in radians.
+    /// The angle around the center inside, in radians.
     pub swept: Option<f64>,
-    /// What one rounding of the input to 32 bits does to position and direction; 0 where it was not looked into.
+    /// The effect of one rounding of the input to 32 bits on position and direction; 0 if not computed.
     pub sensitivity: [f64; 2],
 }
 
-/// What becomes of a ray inside an object.
+/// The outcome for a ray inside an object.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Fate {
     /// It leaves.
     Exit,
-    /// It is reflected totally at the first surface that it meets from inside.
+    /// It is totally reflected at the first surface that it meets from inside.
     Total,
     /// It winds into the center.
     Centre,
 }
 
-/// A table's rows without its head, cut into columns.
+/// Returns the rows of a table without its head, cut into columns.
 pub fn columns(table: &'static str) -> impl Iterator<Item = Vec<&'static str>> {
     table.lines().filter(|line| !line.starts_with('#')).map(|line| line.split('\t').collect())
 }
 
-/// Three numbers; none for a dash.
+/// Returns three numbers, or `None` for a dash.
 pub fn vector(text: &str) -> Option<DVec3> {
     let mut words = text.split(' ').map(str::parse);
     (text != "-").then(|| DVec3::from([(); 3].map(|()| words.next().unwrap().unwrap())))
 }
 
-/// None for a dash.
+/// Returns a number, or `None` for a dash.
 pub fn number(text: &str) -> Option<f64> {
     (text != "-").then(|| text.parse().unwrap())
 }
 
-/// Every row.
+/// Returns every row.
 pub fn lenses() -> Vec<Lens> {
     let given = |text| vector(text).unwrap();
     let row = |row: Vec<&'static str>| Lens {
@@ -87,7 +87,7 @@ pub fn lenses() -> Vec<Lens> {
     columns(include_str!("../tables/lenses.tsv")).map(row).collect()
 }
 
-/// The row's object in air, as a scene file; `rays` are further lines of its [rays].
+/// Returns the object of the row in air, as a scene file; `rays` are further lines of its [rays].
 pub fn lens_scene(lens: &Lens, rays: &str) -> String {
     let ([x, y, z], radius) = (lens.bound.center.to_array(), lens.bound.radius);
     format!(
@@ -97,12 +97,12 @@ pub fn lens_scene(lens: &Lens, rays: &str) -> String {
 }
 
 impl Lens {
-    /// The row's scene, as the tracer needs it.
+    /// Returns the scene of the row as the tracer needs it.
     pub fn scene(&self) -> Scene {
         super::scene(&lens_scene(self, ""))
     }
 
-    /// Where the ray leaves the bound in the end, with its unit direction there.
+    /// Returns the point at which the ray finally leaves the bounding sphere, with its unit direction there.
     pub fn end(&self) -> Option<(DVec3, DVec3)> {
         let (Fate::Exit, Some((x, _)), Some(d)) = (self.fate, self.exit, self.onward) else { return None };
         let from = x - self.bound.center;

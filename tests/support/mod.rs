@@ -14,19 +14,19 @@ use bentray::program::{Program, ProgramOptions};
 use bentray::render::Rendering;
 use bentray::scene::Scene;
 
-/// Opens the device that `render` would take. Without one the tests fail, and the message says which package to install; those that
-/// compute in f64 fail on a device that cannot.
+/// Opens the default device of `render`. Without a device the tests fail with a message that names the package to install; tests in f64
+/// fail on a device that does not support it.
 pub fn open() -> Gpu {
     Gpu::open(None).unwrap_or_else(|error| panic!("{error}"))
 }
 
-/// A device that is not in use, with the passes that it has compiled: opening one takes longer than most tests need it for.
+/// Returns an idle device with the passes that it has compiled, because opening a device takes longer than most tests use it.
 pub fn gpu() -> Lent {
     let idle = idle().pop();
     Lent(Some(idle.unwrap_or_else(open)))
 }
 
-/// A device that goes back to the others when it is dropped.
+/// A device that is returned to the others when it is dropped.
 pub struct Lent(Option<Gpu>);
 
 impl Deref for Lent {
@@ -48,13 +48,13 @@ fn idle() -> MutexGuard<'static, Vec<Gpu>> {
     IDLE.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
-/// A scene from its text; files load relative to `scenes/`.
+/// Parses a scene; its files load relative to `scenes/`.
 pub fn scene(text: &str) -> Scene {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("scenes/test.toml");
     Scene::parse(text, &path, &[]).unwrap_or_else(|error| panic!("{error}"))
 }
 
-/// The mean of a picture's channel over its pixels, which all show the same, and the standard error of that.
+/// Returns the mean of an image's channel over its pixels, which all show the same point, and its standard error.
 pub fn mean_of(picture: &Rendering, channel: usize) -> (f64, f64) {
     let plane = &picture.band.color[channel];
     let n = plane.len() as f64;
@@ -63,12 +63,12 @@ pub fn mean_of(picture: &Rendering, channel: usize) -> (f64, f64) {
     (mean, (squares / (n * (n - 1.0))).sqrt())
 }
 
-/// Every scene file of `scenes/`.
+/// Returns every scene file of `scenes/`.
 pub fn shipped_scenes() -> Vec<std::path::PathBuf> {
     scenes_in("scenes")
 }
 
-/// Every scene file of a folder of the project.
+/// Returns every scene file of a folder of the project.
 pub fn scenes_in(folder: &str) -> Vec<std::path::PathBuf> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join(folder);
     let entries = folder.read_dir().unwrap_or_else(|error| panic!("{error}"));
@@ -80,13 +80,13 @@ pub fn scenes_in(folder: &str) -> Vec<std::path::PathBuf> {
     scenes
 }
 
-/// Every scene file below `scenes/`.
+/// Returns every scene file below `scenes/`.
 pub fn all_scenes() -> Vec<std::path::PathBuf> {
     let folders = ["", "/bench", "/groller", "/laws", "/light", "/paths", "/spacetimes", "/stability", "/thesis"];
     folders.iter().flat_map(|folder| scenes_in(&format!("scenes{folder}"))).collect()
 }
 
-/// The program of every scene below `scenes/` as `render` links it by default, by the file's path in the project.
+/// Returns the program of every scene below `scenes/` as `render` links it by default, by the file's path in the project.
 pub fn pictured() -> &'static [(String, Program)] {
     static PROGRAMS: LazyLock<Vec<(String, Program)>> = LazyLock::new(|| {
         let program = |path: std::path::PathBuf| {
@@ -101,7 +101,7 @@ pub fn pictured() -> &'static [(String, Program)] {
     &PROGRAMS
 }
 
-/// Every source file by its path in `src`, but for those of unit tests.
+/// Returns every source file except unit tests, by its path in `src`.
 pub fn sources() -> Vec<(String, String)> {
     fn read(folder: &Path, name: &str, found: &mut Vec<(String, String)>) {
         for entry in folder.read_dir().unwrap().map(|entry| entry.unwrap()) {

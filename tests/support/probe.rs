@@ -1,4 +1,4 @@
-//! Shader functions called one by one: parts are linked with a generated entry point, which calls them on rows of inputs.
+//! Calls single shader functions: modules are linked with a generated entry point, which calls them on rows of inputs.
 //!
 //! *Practice.* A new program costs about 0.3 s on lavapipe, so one probe tries many functions on many inputs. A probe's body
 //! reads its input rows as `p0`, `p1`, … (vec4f) and writes each output row by `put(k, row)`; rows that it does not write show.
@@ -18,15 +18,15 @@ use glam::{DVec3, Vec4};
 use wgpu::util::{BufferInitDescriptor, DeviceExt};
 use wgpu::{Buffer, BufferUsages, MapMode, PollType};
 
-/// One record as (member, value).
+/// A record as (member, value).
 pub type Record = Vec<(&'static str, Value)>;
 
-/// A source or a sphere that captures: a record, about a point.
+/// Returns the record of a force source or a capture sphere around a point.
 pub fn about_a_point(record: Record) -> Record {
     [record, vec![("along", Value::Vec3(DVec3::ZERO)), ("kind", Value::Uint(0))]].concat()
 }
 
-/// Of one pixel, for the barriers against the compiler.
+/// Returns a frame of one pixel, for the barriers against the compiler.
 fn frame() -> Record {
     let one = Value::Uint2([1, 1]);
     vec![
@@ -40,10 +40,10 @@ fn frame() -> Record {
     ]
 }
 
-/// What an output holds until it is written: a NaN that no arithmetic makes.
+/// The initial value of an output: a NaN that no arithmetic makes.
 const UNWRITTEN: u32 = 0x7fc0_dead;
 
-/// Parts and the values of their bindings.
+/// Modules and the values of their bindings.
 #[derive(Default)]
 pub struct Probe {
     units: Vec<Unit>,
@@ -53,7 +53,7 @@ pub struct Probe {
 }
 
 impl Probe {
-    /// Of the parts with these names, in 32 bits unless they say otherwise.
+    /// Creates a probe of the modules with these names, in 32 bits unless they specify otherwise.
     pub fn new(parts: &[&str]) -> Self {
         let unit = |name: &str| Unit::from(part(name).unwrap_or_else(|| panic!("no part {name}")));
         let mut names: Vec<&str> = Vec::new();
@@ -78,7 +78,7 @@ impl Probe {
             }
         }
         let mut units: Vec<Unit> = names.iter().map(|name| unit(name)).collect();
-        // What laws of the second order and steps of a planned size have in common.
+        // The common modules of second-order laws and of steps of a planned size.
         let common = [
             ("law/", "fn law_derivative(", "law/accelerated"),
             ("method/control/", "fn accepted_step(", "method/control/planned"),
@@ -100,26 +100,26 @@ impl Probe {
         if !probe.units.iter().any(|unit| unit.text.contains("anchor_offset(")) {
             return probe;
         }
-        // What forces come from is a point, unless the probe says otherwise.
+        // Forces originate in points, unless the probe specifies otherwise.
         let mut probe = probe
             .stub("fn anchor_offset(kind: u32, d: Real3, along: Real3) -> Real3 { return offset_center(d, along); }");
         probe.units.push(unit("law/offset"));
         probe
     }
 
-    /// With a few lines of WGSL in place of a part that needs more of a device than a probe has.
+    /// Adds a few lines of WGSL instead of a module that needs more of a device than a probe has.
     pub fn stub(mut self, text: &str) -> Self {
         self.units.push(Unit::user("stub.wgsl", text.to_owned()));
         self
     }
 
-    /// With a feature that parts ask for; all others are absent.
+    /// Adds a feature that modules request; all others are absent.
     pub fn with(mut self, feature: &'static str) -> Self {
         self.features.push(feature);
         self
     }
 
-    /// With the text generated for a scene, such as `generated/sources.wgsl`.
+    /// Adds the text generated for a scene, such as `generated/sources.wgsl`.
     pub fn generated(mut self, scene: &str, file: &str) -> Self {
         let scene = super::scene(scene);
         let analysis = Analysis::of(&scene);
@@ -130,7 +130,7 @@ impl Probe {
         self
     }
 
-    /// With records in the binding `name`: one, or as many as a list has.
+    /// Binds records to `name`: one, or all the records of a list.
     pub fn bind<N: Into<Cow<'static, str>>>(
         mut self,
         name: &'static str,
@@ -141,7 +141,7 @@ impl Probe {
         self
     }
 
-    /// With a list whose length the program knows as the constant `count`.
+    /// Binds a list whose length is the constant `count` in the program.
     pub fn list<N: Into<Cow<'static, str>>>(
         self,
         name: &'static str,
@@ -153,7 +153,7 @@ impl Probe {
         self.stub(&constant).bind(name, records)
     }
 
-    /// With plain numbers in the binding `name`.
+    /// Binds plain numbers to `name`.
     pub fn numbers(mut self, name: &'static str, numbers: &[u32]) -> Self {
         self.numbers.insert(name, numbers.to_vec());
         self
@@ -164,7 +164,7 @@ impl Probe {
         let mut shared = self.units.clone();
         shared.push(entry(body, I, O, inputs.len()));
         if !shared.iter().any(|unit| unit.text.contains("struct Frame")) {
-            shared.push(Unit::from(part("state/arguments").expect("what holds the frame")));
+            shared.push(Unit::from(part("state/arguments").expect("the module that declares the frame")));
         }
         let generated = GENERATED
             .into_iter()
@@ -192,7 +192,7 @@ impl Probe {
         dispatch(gpu, &linked, &reflection, &buffers, inputs.len());
         let words = read(gpu, &output);
         let lost = words.iter().position(|word| *word == UNWRITTEN);
-        assert!(lost.is_none(), "output word {lost:?} was not written (4 words a row, {O} rows an input)");
+        assert!(lost.is_none(), "output word {lost:?} was not written (4 words per row, {O} rows per input)");
         let rows: Vec<Vec4> =
             words.chunks(4).map(|w| Vec4::from_array([0, 1, 2, 3].map(|k| f32::from_bits(w[k])))).collect();
         rows.chunks(O).map(|chunk| std::array::from_fn(|k| chunk[k])).collect()
@@ -217,7 +217,7 @@ impl Probe {
             return bytes;
         }
         let (BindingKind::Uniform(layout) | BindingKind::Storage { layout, .. }) = &binding.kind else {
-            panic!("`{name}` is a texture: give the probe a stub in its place");
+            panic!("`{name}` is a texture: give the probe a stub instead");
         };
         self.packed(name, layout)
     }
@@ -226,7 +226,7 @@ impl Probe {
 /// Constants that are generated with a scene's lists and regions.
 const GENERATED: [&str; 3] = ["IS_WHOLE", "HAS_LISTS", "FINDS_NEAR"];
 
-/// The constants that parts ask for: true for these.
+/// Declares the constants that modules request, which are true for these features.
 fn features(present: &[&str], generated: &[&str]) -> Unit {
     let scene = super::scene("[rays]\nbounding_sphere = { radius = 1 }\n");
     let mut names = Features::of(&scene, &ProgramOptions::default(), &Analysis::of(&scene)).constants();

@@ -1,4 +1,4 @@
-//! The renderer's pictures against the tracer's.
+//! Compares the renderer's images with those of the tracer.
 
 use super::with_objects;
 use crate::support::tree::Tracer;
@@ -6,7 +6,7 @@ use crate::support::{gpu, scene};
 use bentray::render::{RenderSettings, Renderer};
 use glam::DVec3;
 
-/// The part of the pixels in which both agree to `tolerance`, in every channel.
+/// Returns the fraction of the pixels in which both agree to `tolerance`, in every channel.
 pub fn agreement(text: &str, tolerance: f64) -> f64 {
     let scene = scene(text);
     let expected = Tracer::new(&scene).render();
@@ -34,14 +34,14 @@ pub fn room(branches: u32, objects: &[&str]) -> String {
     with_objects(&ROOM.replace("BRANCHES", &branches.to_string()), objects)
 }
 
-/// Where nothing branches, the renderer already follows what the tracer does.
+/// Without splits the renderer follows the same rays as the tracer.
 #[test]
 fn opaque_scenes_are_rendered_as_they_are_traced() {
     let part = agreement(&room(0, &[]), 1e-5);
     assert!(part >= 0.999, "{part}");
 }
 
-/// Where much is reflected at every surface the last of many branchings still count.
+/// If every surface reflects strongly, the last of many splits still count.
 #[test]
 fn deep_trees_are_rendered_as_they_are_traced() {
     let block = "shape = \"box\"\ncenter = [0.3, -0.6, 0.5]\nsize = [1.6, 1.2, 1.2]\nrotate = [0, 20, 0]\ninterior = 4";
@@ -83,8 +83,8 @@ fn branches_are_rendered_as_they_are_traced() {
     assert!(parts.iter().all(|(_, part)| *part >= 0.999), "parts of the pixels that agree: {parts:#?}");
 }
 
-/// Straight shadows are where the tracer has them, but at their edges: of several lights, behind clear things and opaque ones, of what
-/// is in lists, in a hierarchy or a grid, with paths that are lines and that are not, in all schedules.
+/// Straight shadows agree with those of the tracer, except at their edges: of several lights, behind transparent and opaque objects, of
+/// objects in lists, in a hierarchy or a grid, for straight and bent paths, in all schedules.
 #[test]
 fn shadows_are_rendered_as_they_are_traced() {
     let glass = "shape = \"sphere\"\ncenter = [0.2, -0.3, 0.5]\nradius = 1.1\ninterior = 1.5";

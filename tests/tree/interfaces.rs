@@ -10,7 +10,7 @@ fn light_is_reflected_and_refracted_as_the_table_says() {
         let [n1, n2, k_r, k_t] = [row[1], row[2], row[5], row[6]].map(|text| number(text).unwrap());
         let [normal, d, reflected] = [row[3], row[4], row[7]].map(|text| vector(text).unwrap());
         let close = |a: DVec3, b: DVec3| assert!(a.distance(b) < 1e-14, "{}: {a}, {b} expected", row[0]);
-        // A normal has no side of its own.
+        // A normal may point to either side.
         for normal in [normal, -normal] {
             match (Interface::new(n1, n2, d, normal), vector(row[8])) {
                 (Interface::Total { reflected: found }, None) => {
@@ -29,7 +29,7 @@ fn light_is_reflected_and_refracted_as_the_table_says() {
     }
 }
 
-/// Many pairs of media, normals and directions.
+/// Returns many pairs of media, normals and directions.
 fn cases() -> impl Iterator<Item = (f64, f64, DVec3, DVec3)> {
     let pairs = [(1.0, 1.5), (1.5, 1.0), (1.33, 2.42), (2.42, 1.33), (1.0, 1.001), (1.001, 1.0), (3.0, 0.2)];
     let normals = [DVec3::Y, DVec3::new(1.0, -2.0, 0.5).normalize(), DVec3::new(-3.0, 0.1, 4.0).normalize()];
@@ -45,7 +45,7 @@ fn cases() -> impl Iterator<Item = (f64, f64, DVec3, DVec3)> {
     })
 }
 
-/// What is not reflected is transmitted, by Fresnel's own amplitudes for that and the width of the refracted beam.
+/// Light that is not reflected is transmitted, by the Fresnel amplitudes for transmission and the width of the refracted beam.
 #[test]
 fn no_energy_is_lost_at_a_surface() {
     for (n1, n2, normal, d) in cases() {
@@ -61,7 +61,7 @@ fn no_energy_is_lost_at_a_surface() {
     }
 }
 
-/// Backwards light takes the same ways, with the same weights.
+/// Reversed light takes the same paths, with the same weights.
 #[test]
 fn refraction_can_be_reversed() {
     let mut tried = 0;
@@ -74,7 +74,7 @@ fn refraction_can_be_reversed() {
         else {
             panic!("{n1} to {n2} at {d}: no way back");
         };
-        // Near grazing the way back has lost half of its digits: a cosine is the root of what is left of 1.
+        // Near grazing incidence the path back has lost half of its digits: a cosine is the root of the remainder of 1.
         let allowed = 1e-15 / d.dot(normal).abs().min(transmitted.dot(normal).abs());
         assert!(back.distance(-d) < 4.0 * allowed, "{n1} to {n2} at {d}: {back}");
         assert!((reflectance - again).abs() < 40.0 * allowed, "{n1} to {n2} at {d}: {reflectance} {again}");
@@ -86,7 +86,7 @@ fn refraction_can_be_reversed() {
     assert!(tried > 2000, "{tried}");
 }
 
-/// From the denser side, total reflection begins where sin θ = n₂/n₁; alike media have no surface.
+/// From the denser side, total reflection begins at sin θ = n₂/n₁; equal media have no surface.
 #[test]
 fn total_reflection_begins_at_the_critical_angle() {
     let critical = (1.0_f64 / 1.5).asin();

@@ -1,4 +1,4 @@
-//! Tests objects inside objects: different descriptions of the same interiors look the same.
+//! Tests objects inside objects: different descriptions of one interior have equal images.
 
 use super::{difference, picture, with_objects};
 
@@ -18,7 +18,7 @@ fn alike(a: &[&str], b: &[&str]) {
 
 fn unlike(a: &[&str], b: &[&str]) {
     let off = difference(&picture(&view(a)), &picture(&view(b)));
-    assert!(off > 1e-2, "{a:?} and {b:?} look alike");
+    assert!(off > 1e-2, "{a:?} and {b:?} look equal");
 }
 
 const GLASS: &str = "shape = \"sphere\"\nradius = 1.5\ninterior = 1.5";
@@ -33,7 +33,7 @@ fn what_is_filled_with_air_is_not_there() {
     alike(&[GLASS, "shape = \"box\"\nsize = [1, 1, 1]\ninterior = 1.5"], &[GLASS]);
 }
 
-/// Of equal priority, the inner one is there, whatever the order of the file.
+/// At equal priority the inner object wins, whatever the order in the file.
 #[test]
 fn a_bubble_is_hollow() {
     alike(&[GLASS, BUBBLE], &[BUBBLE, GLASS]);
@@ -42,21 +42,20 @@ fn a_bubble_is_hollow() {
     alike(&[GLASS, BUBBLE], &[GLASS, &first]);
 }
 
-/// What lies in a medium of a higher priority is hidden, and its surfaces do nothing.
+/// An object inside a medium of a higher priority is hidden, and its surfaces have no effect.
 #[test]
 fn the_higher_priority_is_there() {
     let glass = format!("{GLASS}\npriority = 2");
     alike(&[&glass, BUBBLE], &[&glass]);
-    // Where a box reaches out of the ball it is water; in the ball, glass.
+    // Outside the ball the box is water; in the ball it is glass.
     unlike(&[&glass, WATER], &[GLASS, &format!("{WATER}\npriority = 3")]);
     alike(&[&glass, WATER], &[WATER, &glass]);
-    // Three kinds in one place: the middle one is hidden where the highest is.
+    // Three kinds at one point: the middle one is hidden by the highest.
     let small = "shape = \"sphere\"\nradius = 1\ncenter = [0.2, 0, 0]\ninterior = 2\npriority = 1";
     alike(&[&glass, small, WATER], &[&glass, WATER]);
 }
 
-/// Two halves of a ball's box, one beside the other, are one box: where surfaces touch, light goes straight from one to the
-/// other.
+/// Two adjacent halves of a ball's box are equivalent to one box: at touching surfaces, light goes directly from one to the other.
 #[test]
 fn touching_objects_have_one_surface_between_them() {
     let whole = "shape = \"box\"\nmin = [-1, -1, -1]\nmax = [1, 1, 1]\ninterior = 1.5";
@@ -65,7 +64,7 @@ fn touching_objects_have_one_surface_between_them() {
     alike(&[left, right], &[whole]);
 }
 
-/// The camera in an object, or in two, is where it would be had the rays come in from outside.
+/// The camera may be inside one object or two, with the interiors that rays from outside would have.
 #[test]
 fn cameras_can_be_inside() {
     let around = "shape = \"sphere\"\nradius = 10\ninterior = 1.33";
@@ -75,8 +74,8 @@ fn cameras_can_be_inside() {
     unlike(&[around, air, GLASS], &[around, GLASS]);
 }
 
-/// Media that hardly vary, by each kind of path: their pictures are those of a constant index, found in quite another way.
-/// In them lie shapes of every kind.
+/// Media that hardly vary, with each kind of path, give the images of a constant index, which are computed in a different way. They contain
+/// shapes of every kind.
 #[test]
 fn paths_that_hardly_bend_show_what_lines_show() {
     let media = [

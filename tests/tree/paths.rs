@@ -5,7 +5,7 @@ use crate::support::scene;
 use crate::support::tree::{Interface, Meeting, Met, Ray, Tracer};
 use glam::{DQuat, DVec3};
 
-/// How far an answer may be off: of the sizes of things, 1 to 30.
+/// The allowed error of an answer, relative to sizes from 1 to 30.
 const CLOSE: f64 = 1e-10;
 
 fn surface(met: Met, name: &str) -> Meeting {
@@ -18,7 +18,7 @@ fn check(name: &str, what: &str, found: DVec3, expected: DVec3) {
     assert!(off < CLOSE, "{name}: {what} off by {off:e}");
 }
 
-/// The reflectance, the reflected and the transmitted direction.
+/// Returns the reflectance, the reflected and the transmitted direction.
 fn parts(interface: Interface, d: DVec3) -> (f64, DVec3, DVec3) {
     match interface {
         Interface::Matched => (0.0, d, d),
@@ -27,7 +27,7 @@ fn parts(interface: Interface, d: DVec3) -> (f64, DVec3, DVec3) {
     }
 }
 
-/// Every row of the table: where the ray enters, how it goes on, where it leaves and how.
+/// Compares every row of the table: where the ray enters, its direction inside, where it leaves and how.
 #[test]
 fn rays_pass_lenses_as_the_table_says() {
     for lens in lenses() {
@@ -66,22 +66,22 @@ fn rays_pass_lenses_as_the_table_says() {
             let whole = ((swept - angle(&inside, &meeting.ray, center)) / std::f64::consts::TAU).abs();
             assert!((whole - whole.round()).abs() < CLOSE, "{name}: {whole} turns off");
         }
-        // Away from the surface, it escapes or stays inside.
+        // A ray away from the surface escapes or stays inside.
         let next = tracer.next(if total { &back } else { &across });
         assert_eq!(matches!(next, Met::Sky(_)), !total, "{name}: {next:?}");
     }
 }
 
-/// The angle from the ray's start to its end about a center, the way that it sets out; but for whole turns.
+/// Returns the angle from the ray's start to its end around a center, in its initial direction, modulo whole turns.
 fn angle(start: &Ray, end: &Ray, center: DVec3) -> f64 {
     let from = (start.x - center).normalize();
     let ahead = start.d.reject_from_normalized(from).normalize_or_zero();
     let to = end.x - center;
-    // Rays through the center come out opposite.
+    // Rays through the center leave on the opposite side.
     if ahead == DVec3::ZERO { std::f64::consts::PI } else { to.dot(ahead).atan2(to.dot(from)) }
 }
 
-/// Points on the way into the center: there, an opaque ball has its surface.
+/// Checks points on the path into the center, where the surface of an opaque ball is placed.
 #[test]
 fn spirals_go_through_their_points() {
     let lenses = lenses();
@@ -107,7 +107,7 @@ fn spirals_go_through_their_points() {
     }
 }
 
-/// Taken for outgoing, an ingoing ray makes the same way as its mirror image in the sphere through its start.
+/// Treated as outgoing, an ingoing ray takes the path of its mirror image in the sphere through its start.
 #[test]
 fn continued_spirals_go_out() {
     let text = "[rays]\nbounding_sphere = { radius = 12 }\n[[objects]]\nshape = \"sphere\"\nradius = 4\n\
@@ -120,7 +120,7 @@ fn continued_spirals_go_out() {
     let [a, b] = [d, outward].map(|d| surface(tracer.next(&tracer.ray(x, d)), "spiral"));
     check("spiral", "exit", a.ray.x, b.ray.x);
     check("spiral", "direction", a.ray.d, b.ray.d);
-    // From outside it is outside again where it enters.
+    // If the ray came from outside, it is outside again at the point where it enters.
     let meeting = surface(tracer.next(&tracer.ray(DVec3::new(-8.0, 1.0, 0.0), DVec3::X)), "spiral");
     let (_, _, across) = tracer.cross(&meeting);
     let again = surface(tracer.next(&across), "spiral");
@@ -132,8 +132,7 @@ fn continued_spirals_go_out() {
     assert!(matches!(tracer.next(&out), Met::Sky(_)));
 }
 
-/// Rays from one point of Maxwell's fisheye meet in the point opposite; parallel rays through Luneburg's lens meet on its
-/// surface.
+/// Rays from one point of a Maxwell fisheye meet at the opposite point; parallel rays through a Luneburg lens meet on its surface.
 #[test]
 fn lenses_have_their_focus() {
     let sphere = |interior: &str| {
@@ -152,14 +151,14 @@ fn lenses_have_their_focus() {
         let (_, _, across) = tracer.cross(&meeting);
         let end = surface(tracer.next(&across), "luneburg");
         let off = end.ray.x.distance(turn * (2.0 * DVec3::X));
-        // A grazing ray meets the surface at an angle as small as its chord is short.
+        // A grazing ray meets the surface at a small angle, proportional to its chord.
         assert!(off < 1e-12 / (1.0 - r / 2.0).sqrt().max(1e-2), "ray {i}: off by {off:e}");
         let tracer = Tracer::new(&fisheye);
         let x = turn * DVec3::new(-1.0, 0.0, 0.0);
         let d = turn * (aside + 0.3 * DVec3::X).normalize();
         let end = surface(tracer.next(&tracer.ray(x, d)), "fisheye");
-        // The circle that touches d in x goes on through −a² x/|x|²: from its points up to there the chord is seen at the
-        // same angle.
+        // The circle through x with the tangent d also contains −a² x/|x|²: from its points the chord between these two has a constant
+        // angle.
         let image = -4.0 * x / x.length_squared();
         let seen = (x - end.ray.x).angle_between(image - end.ray.x);
         let turned = std::f64::consts::PI - d.angle_between(image - x);

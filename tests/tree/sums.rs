@@ -1,4 +1,4 @@
-//! Pictures whose every pixel is a sum in closed form.
+//! Images in which every pixel is a sum in closed form.
 
 use super::{difference, picture};
 use crate::support::scene;
@@ -14,7 +14,7 @@ fn slab(branches: u32) -> String {
     format!("{SLAB}[rays]\nbounding_sphere = {{ radius = 400 }}\nmax_splits = {branches}\n")
 }
 
-/// The camera ray of a pixel of [`SLAB`]: its angle with the vertical, from the file's numbers.
+/// Returns the angle between the vertical and the camera ray of a pixel of [`SLAB`], from the numbers in the file.
 fn angle(i: usize) -> f64 {
     let (column, row) = ((i % 24) as f64, (i / 24) as f64);
     let half = 30_f64.to_radians().tan();
@@ -24,14 +24,14 @@ fn angle(i: usize) -> f64 {
     (-(look + right * DVec3::X + up * upward).normalize().y).acos()
 }
 
-/// Fresnel's formulas in angles.
+/// Returns the reflectance by the Fresnel equations in angles.
 fn reflectance(incident: f64, n: f64) -> f64 {
     let refracted = (incident.sin() / n).asin();
     let (sum, between) = (incident + refracted, incident - refracted);
     0.5 * ((between.sin() / sum.sin()).powi(2) + (between.tan() / sum.tan()).powi(2))
 }
 
-/// Light that is reflected k times inside a slab comes out on one side or the other: each branching more adds one term.
+/// Light that is reflected k times inside a slab leaves on one side or the other: each additional split adds one term.
 #[test]
 fn a_slab_adds_up_its_inner_reflections() {
     let (sky, floor) = (DVec3::new(0.3, 0.5, 0.9), DVec3::new(0.8, 0.2, 0.1));
@@ -39,7 +39,7 @@ fn a_slab_adds_up_its_inner_reflections() {
         let found = picture(&slab(branches));
         let expected = (0..found.len()).map(|i| {
             let r = reflectance(angle(i), 1.5);
-            // The first branching sends r back; after that each passes 1 − r on and keeps r inside.
+            // The first split reflects r; each later one transmits 1 − r and keeps r inside.
             let mut sum = if branches == 0 { DVec3::ZERO } else { r * sky };
             let mut inside = 1.0 - r;
             for branching in 2..=branches {
@@ -53,7 +53,7 @@ fn a_slab_adds_up_its_inner_reflections() {
     }
 }
 
-/// All of them together: 2r/(1 + r) is reflected and the rest transmitted.
+/// The whole series: 2r/(1 + r) is reflected and the rest transmitted.
 #[test]
 fn a_slab_reflects_the_whole_series() {
     let (sky, floor) = (DVec3::new(0.3, 0.5, 0.9), DVec3::new(0.8, 0.2, 0.1));
@@ -61,14 +61,14 @@ fn a_slab_reflects_the_whole_series() {
     for (i, found) in found.into_iter().enumerate() {
         let r = reflectance(angle(i), 1.5);
         let back = 2.0 * r / (1.0 + r);
-        // What is left inside after twenty branchings.
+        // The light that remains inside after twenty splits.
         let off = (found - back * sky - (1.0 - back) * floor).abs().max_element();
         assert!(off < 1e-13 + r.powi(19), "pixel {i}: off by {off:e}");
     }
 }
 
-/// From the middle of a glass ball the white sky is n² times as bright, but for what has been cut; of a lamp in it, 1/n² of
-/// the radiance comes out.
+/// From the center of a glass ball the white sky is n² times as bright, except for cut paths; of an emitter inside it, 1/n² of the radiance
+/// leaves.
 #[test]
 fn radiance_changes_with_the_square_of_the_index() {
     let ball = "[rays]\nbounding_sphere = { radius = 20 }\nmax_splits = BRANCHES\n[sky]\ncolor = [1, 1, 1]\n\
@@ -82,12 +82,12 @@ fn radiance_changes_with_the_square_of_the_index() {
     let lamp = "[materials.lamp]\nkind = \"emissive\"\ncolor = [3, 2, 1]\n\
         [[objects]]\nshape = \"sphere\"\nradius = 0.5\nmaterial = \"lamp\"\n";
     let scene = scene(&format!("{lamp}{}", ball.replace("BRANCHES", "20").replace("[1, 1, 1]", "[0, 0, 0]")));
-    // Along a radius: what the surface sends back into the ball ends on the lamp, and what it lets through is 0.96.
+    // Along a radius, reflected light ends on the emitter inside, and the transmitted fraction is 0.96.
     let seen = Tracer::new(&scene).seen(DVec3::new(0.0, 5.0, 0.0), DVec3::NEG_Y);
     assert!((seen - 0.96 / 2.25 * DVec3::new(3.0, 2.0, 1.0)).abs().max_element() < 1e-14, "{seen}");
 }
 
-/// Total reflection, a mirror and a surface between like media do not branch: where none may, all of them are passed.
+/// Total reflection, a mirror and a surface between equal media do not branch: rays pass them even without allowed splits.
 #[test]
 fn what_does_not_branch_is_not_counted() {
     let text = "[rays]\nbounding_sphere = { radius = 20 }\nmax_splits = 0\n[sky]\ncolor = [9, 9, 9]\n\
@@ -98,8 +98,7 @@ fn what_does_not_branch_is_not_counted() {
         [[objects]]\nshape = \"plane\"\ncenter = [0, -1, 0]\nsize = [1, 1]\nmaterial = \"mirror\"\n";
     let scene = scene(text);
     let lamp = DVec3::new(3.0, 2.0, 1.0);
-    // At 45 degrees: by the upper wall to the lamp; by the mirror and the wall on the right; and straight out, which is
-    // cut.
+    // At 45 degrees: by the upper wall to the emitter; by the mirror and the wall on the right; and straight out, which is cut.
     let ways = [([1.0, 1.0], DVec3::ONE), ([1.0, -1.0], DVec3::new(0.9, 0.8, 0.7)), ([0.0, 1.0], DVec3::ZERO)];
     for ([x, y], part) in ways {
         let seen = Tracer::new(&scene).seen(DVec3::NEG_X, DVec3::new(x, y, 0.0).normalize());
@@ -107,7 +106,7 @@ fn what_does_not_branch_is_not_counted() {
     }
 }
 
-/// Where everything is as bright as the sky, clear objects cannot be seen, but for what has been cut.
+/// If everything is as bright as the sky, transparent objects are invisible, except for cut paths.
 #[test]
 fn clear_objects_vanish_in_a_white_sky() {
     let scene = |branches: u32| {
@@ -125,13 +124,12 @@ fn clear_objects_vanish_in_a_white_sky() {
         1.0 - picture.iter().map(|seen| seen.x).sum::<f64>() / picture.len() as f64
     });
     assert!(cut[0] > 0.1 && cut[3] < 3e-3, "{cut:?}");
-    // Each three branchings more leave less than half of what is missing.
+    // Each three additional splits leave less than half of the missing light.
     cut.reverse();
     assert!(cut.windows(2).all(|pair| pair[0] < 0.5 * pair[1]), "{cut:?}");
 }
 
-/// A mirror shows what its mirror image would see, in its own color; two mirrors that face each other never end, and stay
-/// black.
+/// A mirror shows the scene from its mirrored viewpoint, in its color; two mirrors that face each other never end, and stay black.
 #[test]
 fn mirrors_show_the_mirrored_scene() {
     let room = "[rays]\nbounding_sphere = { radius = 30 }\n[sky]\nimage = \"data/stars.png\"\n\

@@ -14,7 +14,7 @@ const RIGHT: &str = "shape = \"box\"\nmin = [0.3, -1, -0.6]\nmax = [1.6, 0.7, 0.
 const BLOCK: &str = "shape = \"box\"\nmin = [-0.8, -1.5, -0.4]\nmax = [0.9, 0.1, 0.9]\ninterior = 1.5";
 const TURNED: &str = "rotate = [20, 30, 10]\ntranslate = [0.2, 0.1, 0.3]";
 
-/// Every scene with objects that touch: its name, its branchings and its objects.
+/// Returns every scene with objects that touch: its name, its splits and its objects.
 fn scenes() -> Vec<(&'static str, u32, Vec<String>)> {
     let of = |objects: &[&str]| objects.iter().map(|object| (*object).to_owned()).collect::<Vec<_>>();
     let turned = |objects: &[&str]| objects.iter().map(|object| format!("{object}\n{TURNED}")).collect::<Vec<_>>();
@@ -64,7 +64,7 @@ fn touching_objects_are_rendered_as_they_are_traced() {
     assert!(parts.iter().all(|(_, part)| *part >= 0.999), "parts of the pixels that agree: {parts:#?}");
 }
 
-/// Cylinders and disks that touch nothing, which the tracer knows too.
+/// Cylinders and disks that touch nothing, which the tracer also supports.
 #[test]
 fn cylinders_and_disks_are_rendered_as_they_are_traced() {
     let rod = "shape = \"cylinder\"\ncenter = [0.2, -0.3, 0.5]\nradius = 0.8\nheight = 1.6\nrotate = [30, 10, 20]\ninterior = 1.5";
@@ -136,8 +136,8 @@ fn touching_objects_do_not_depend_on_the_schedule() {
     }
 }
 
-/// Only scenes in which something touches look for it: not what is nested, apart, or meets in a point; and nothing can be taken out
-/// of their programs.
+/// Only scenes with touching objects search for them, not those with nested or separate objects or contact at a point; and nothing can be
+/// removed from their programs.
 #[test]
 fn what_does_not_touch_pays_nothing() {
     let links = |text: &str| {

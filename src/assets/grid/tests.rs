@@ -163,7 +163,7 @@ fn bare_numbers_need_what_the_scene_says() {
     assert_eq!((grid.samples, grid.cell), (values(), DVec3::new(0.5, 1.0, 1.0)));
 }
 
-/// In a header the location of the error is marked by «».
+/// In a header «» marks the location of the error.
 #[test]
 fn mistakes_have_their_line() {
     let mark = |from: &str, to: &str| HEADER.replace(from, to);

@@ -238,7 +238,7 @@ fn alpha_is_stored_where_it_is_asked_for() {
         drop(writer);
         band.alpha = Some(vec![0.0, 0.25, 0.5, 1.0]);
         write(&path, &FileSettings::new([4, 1]), std::slice::from_ref(&band));
-        assert!(fs::read(&path).unwrap() == plain, "{name} depends on what it does not store");
+        assert!(fs::read(&path).unwrap() == plain, "{name} depends on data that it does not store");
         write(&path, &settings, std::slice::from_ref(&band));
         if name == "a.exr" {
             let bits = exr_bits(&path);

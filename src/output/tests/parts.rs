@@ -89,7 +89,7 @@ fn cuts(size: [u32; 2]) -> impl Strategy<Value = Vec<Window>> {
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(40))]
 
-    /// Checks that the merged file equals that of the whole for any cut and order.
+    /// Checks that the merged file equals the whole image's file for any cut and order.
     #[test]
     fn parts_make_the_whole_to_the_byte(windows in cuts([40, 50])) {
         let (folder, result) = assembled(&windows, unchanged);

@@ -87,11 +87,11 @@ mod tests {
                 let name = tokens.word(at);
                 let is_constant =
                     tokens.word(at + 1) == "{" && name.chars().all(|c| c.is_ascii_uppercase() || c == '_');
-                assert!(!is_constant || known.contains(name), "{} asks for {name}", part.file);
+                assert!(!is_constant || known.contains(name), "{} requests {name}", part.file);
                 asked.insert(name.to_owned());
             }
         }
         let idle: Vec<&String> = known.iter().filter(|name| !asked.contains(*name)).collect();
-        assert!(idle.is_empty(), "no part asks for {idle:?}");
+        assert!(idle.is_empty(), "no module requests {idle:?}");
     }
 }

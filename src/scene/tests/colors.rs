@@ -195,7 +195,7 @@ fn a_lamp_is_as_bright_as_its_vertex_colors() {
         scene.emitters()
     };
     assert!(emitters("0 0 0").is_empty());
-    let [red] = emitters("1 0 0")[..] else { panic!("one lamp") };
+    let [red] = emitters("1 0 0")[..] else { panic!("one emitter") };
     let expected = std::f64::consts::PI * red.radius.powi(2);
     assert!((red.power - expected).abs() < 1e-12 * expected, "{red:?}");
 }

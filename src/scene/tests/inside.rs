@@ -45,7 +45,7 @@ fn a_missing_triangle_is_a_hole() {
     let missing = open.triangles.remove(5).map(|i| open.vertices[i as usize].position);
     let [x, y, z] = open.hole().expect("a hole");
     let middles = [0, 1, 2].map(|k| (missing[k] + missing[(k + 1) % 3]) / 2.0);
-    assert!(middles.contains(&Vec3::new(x, y, z)), "[{x}, {y}, {z}] is no edge of {missing:?}");
+    assert!(middles.contains(&Vec3::new(x, y, z)), "[{x}, {y}, {z}] is not an edge of {missing:?}");
 }
 
 #[test]

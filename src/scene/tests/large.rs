@@ -71,7 +71,7 @@ fn corners(scene: &Scene) -> Vec<DVec3> {
     mesh.vertices.iter().map(|vertex| object.transform.0.transform_point3(vertex.position.as_dvec3())).collect()
 }
 
-/// Ten times the error of a 64-bit number at that position, plus that of a 32-bit number within two units of it.
+/// Ten times the error of a 64-bit number at that position, plus the error of a 32-bit number within two units of it.
 const NEAR: f64 = 10.0 * (5.5e6 * f64::EPSILON + 2.0 * 1.2e-7);
 
 #[test]

@@ -108,9 +108,9 @@ fn how_rays_are_followed_goes_over_to_another_scene() {
         &["rays.method=euler-doubling", "rays.doubling=paper", "rays.tolerance=1e-2"],
         &["rays.method=planar", "rays.closed_forms=false", "rays.precision=f16"],
     ];
-    let scenes: Vec<Scene> = ways.iter().map(|way| with(way).expect("a way to follow rays")).collect();
+    let scenes: Vec<Scene> = ways.iter().map(|way| with(way).expect("a table of ray settings")).collect();
     for (of, from) in scenes.iter().zip(&ways) {
-        let followed: Vec<Override> = crate::scene::follow_as(&of.rays.followed()).expect("a text of its own");
+        let followed: Vec<Override> = crate::scene::follow_as(&of.rays.followed()).expect("a separate text");
         for way in ways {
             let own = way.iter().map(|o| o.parse().expect(o));
             let overrides: Vec<Override> = own.chain(followed.iter().cloned()).collect();

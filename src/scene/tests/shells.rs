@@ -274,7 +274,7 @@ fn files_of_every_format_are_turned() {
     }
 }
 
-/// Checks that the additional objects of an overlapping mesh come last, so that the indices of others remain those of the file.
+/// Checks that the additional objects of an overlapping mesh come last, so that the indices of other objects do not change.
 #[test]
 fn solids_of_one_mesh_come_behind_other_objects() {
     let folder = tempfile::tempdir().expect("a folder");

@@ -9,7 +9,7 @@ fn every_synonym_leads_to_a_name() {
     for (words, right) in SYNONYMS {
         let is_choice = |value: &str| value.split(['|', ',', ' ']).any(|word| word.trim_matches(['"', '`']) == *right);
         let is_known = REFERENCE.iter().any(|row| row.key == *right || is_choice(&row.value));
-        assert!(is_known, "{words:?} lead to `{right}`, which is no name");
+        assert!(is_known, "{words:?} lead to `{right}`, which is not a name");
     }
 }
 

@@ -1,39 +1,39 @@
 //! The effect of a surface between two media on light.
 //!
-//! *Theory.* The part of n d along the surface is the same on both sides (Snell's law as a vector). Light is unpolarized: the
-//! reflectance is the mean of the two Fresnel reflectances, s across and p in the plane of incidence.
+//! *Theory.* The component of n d along the surface is equal on both sides (Snell's law as a vector). Light is unpolarized: the reflectance
+//! is the mean of the two Fresnel reflectances, s across and p in the plane of incidence.
 
 use glam::DVec3;
 
-/// What becomes of a ray that meets a surface; directions are unit vectors.
+/// The effect of a surface on a ray; directions are unit vectors.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Interface {
-    /// The media are alike: nothing happens.
+    /// The media are equal: nothing happens.
     Matched,
-    /// All of it is reflected.
+    /// All light is reflected.
     Total {
-        /// Of the reflected ray.
+        /// The direction of the reflected ray.
         reflected: DVec3,
     },
-    /// It branches.
+    /// The ray splits.
     Split {
-        /// Of the reflected ray.
+        /// The direction of the reflected ray.
         reflected: DVec3,
-        /// Of the transmitted ray.
+        /// The direction of the transmitted ray.
         transmitted: DVec3,
-        /// The part of the light that is reflected; the rest is transmitted.
+        /// The reflected fraction of the light; the rest is transmitted.
         reflectance: f64,
     },
 }
 
 impl Interface {
-    /// Of a ray along `d` that comes from the index `n1` to `n2`; `normal` is a unit vector to either side.
+    /// Computes the effect on a ray along `d` from the index `n1` to `n2`; `normal` is a unit vector to either side.
     pub fn new(n1: f64, n2: f64, d: DVec3, normal: DVec3) -> Self {
         if (n1 - n2).abs() <= 1e-6 * n1.max(n2) {
             return Self::Matched;
         }
         let reflected = mirrored(d, normal);
-        // Against the ray.
+        // The normal against the ray.
         let normal = if d.dot(normal) > 0.0 { -normal } else { normal };
         let cos1 = -d.dot(normal);
         let along = n1 / n2 * (d + cos1 * normal);
@@ -49,7 +49,7 @@ impl Interface {
     }
 }
 
-/// The direction of the mirror image of a ray along `d`.
+/// Returns the direction of the mirror image of a ray along `d`.
 pub fn mirrored(d: DVec3, normal: DVec3) -> DVec3 {
     (d - 2.0 * d.dot(normal) * normal).normalize()
 }

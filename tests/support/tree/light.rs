@@ -5,7 +5,7 @@ use bentray::scene::{LightSource, Material, Pattern, Picture, Scene, Shadows, Sk
 use glam::{DVec2, DVec3};
 use std::f64::consts::PI;
 
-/// The color of a material at (u, v).
+/// Returns the color of a material at (u, v).
 pub fn color(scene: &Scene, material: &Material, uv: DVec2) -> DVec3 {
     shown(scene, &material.color, uv)
 }
@@ -18,11 +18,11 @@ fn shown(scene: &Scene, pattern: &Pattern, uv: DVec2) -> DVec3 {
             colors[(cell.x + cell.y).rem_euclid(2.0) as usize]
         }
         Pattern::Picture { picture, repeat } => {
-            // Pictures begin at the top left, v at the bottom.
+            // Images begin at the top left, and v at the bottom.
             let place = DVec2::new(uv.x, 1.0 - uv.y) * *repeat;
             sample(&scene.pictures[*picture], place - place.floor())
         }
-        // Vertex colors are those of meshes, and white on all other shapes.
+        // Only meshes have vertex colors; on all other shapes they are white.
         Pattern::VertexColors(pattern) => shown(scene, pattern, uv),
     }
 }
@@ -34,11 +34,11 @@ pub struct Lit {
     pub x: DVec3,
     /// The unit normal, on the viewer's side.
     pub normal: DVec3,
-    /// To the viewer.
+    /// The direction to the viewer.
     pub view: DVec3,
 }
 
-/// What it sends towards the viewer; `reaches` is told how far and whither a light is that casts shadows.
+/// Returns the radiance toward the viewer; `reaches` gets the direction and distance of each light that casts shadows.
 pub fn radiance(
     scene: &Scene,
     material: &Material,
@@ -65,23 +65,23 @@ pub fn radiance(
     emission + ambient * color + lit.sum::<DVec3>()
 }
 
-/// What comes from infinity, out of the direction `d`.
+/// Returns the radiance from infinity, from the direction `d`.
 pub fn sky(scene: &Scene, d: DVec3) -> DVec3 {
     match scene.sky {
         Sky::Color(color) => color,
         Sky::Transparent => DVec3::ZERO,
         Sky::Equirectangular(picture, intensity) => {
-            // −z in the middle, +x to its right, +y at the top.
+            // −z is at the center, +x to its right, +y at the top.
             let picture = &scene.pictures[picture];
             let (u, v) = (0.5 + d.x.atan2(-d.z) / (2.0 * PI), 0.5 - d.y.atan2(d.x.hypot(d.z)) / PI);
             let half = 0.5 / f64::from(picture.size[1]);
             intensity * sample(picture, DVec2::new(u, v.clamp(half, 1.0 - half)))
         }
-        Sky::Faces(..) => panic!("the tracer knows no sky of six faces"),
+        Sky::Faces(..) => panic!("the tracer does not support a sky of six faces"),
     }
 }
 
-/// Between the four pixels round a place in [0, 1]² from the top left; the picture repeats.
+/// Interpolates between the four pixels around a position in [0, 1]² from the top left; the image repeats.
 fn sample(picture: &Picture, place: DVec2) -> DVec3 {
     let [width, height] = picture.size.map(i64::from);
     let p = place * DVec2::new(width as f64, height as f64) - 0.5;

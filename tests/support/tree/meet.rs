@@ -4,52 +4,52 @@
 //! side and back between two points. The path is cut so finely that it is nearly straight between them, and the level of a
 //! convex shape has one minimum there; bisection then refines the result until the numbers end.
 //!
-//! The side of a surface on which a ray is follows from its path, because a point on the surface does not determine it.
+//! The path of a ray determines on which side of a surface it is, because a point on the surface does not.
 
 use glam::DVec3;
 
 use super::path::{Path, Point};
 use super::solid::Body;
 
-/// Points of one path before it is given up: it goes round for ever, or almost.
+/// The number of points of one path after which it counts as endless.
 const LONGEST: u32 = 2_000_000;
 
-/// A body, and how the ray stands to it.
+/// A body, and the position of the ray relative to it.
 #[derive(Debug, Clone, Copy)]
 pub struct Standing {
     /// The body.
     pub body: Body,
-    /// Is the ray inside, or under it if it is open?
+    /// Whether the ray is inside, or under the body if it is open.
     pub inside: bool,
-    /// Does it start on the surface?
+    /// Whether it starts on the surface.
     pub on: bool,
 }
 
-/// What a ray comes to next.
+/// The next event of a ray.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Next {
-    /// Surfaces, all at one point: which bodies', and the point.
+    /// Surfaces, all at one point: the indices of their bodies, and the point.
     Surfaces(Vec<usize>, Point),
-    /// It leaves.
+    /// The ray leaves.
     Nothing,
-    /// It never comes anywhere.
+    /// The ray never arrives anywhere.
     Lost,
 }
 
-/// Surfaces nearer to each other than this part of the reach are one.
+/// Surfaces within this fraction of the reach are one surface.
 const TOGETHER: f64 = 1e-10;
 
-/// Along a line; surfaces are met only where `within` holds.
+/// Follows a line; surfaces count only at points where `within` returns `true`.
 pub fn on_line(x: DVec3, d: DVec3, reach: f64, bodies: &[Standing], within: impl Fn(DVec3) -> bool) -> Next {
     let meets = |standing: &Standing| {
         let [enters, leaves] = standing.body.span(x, d)?;
         let t = match (standing.body.is_open(), standing.on, standing.inside) {
-            // No line meets a square twice, nor comes back to a convex shape.
+            // No line meets a square twice, or returns to a convex shape.
             (true, true, _) | (false, true, false) => return None,
             (true, false, _) | (false, _, false) => enters,
             (false, _, true) => leaves,
         };
-        // A shape that begins where the ray does may seem to lie behind it by a rounding.
+        // By rounding, a shape that begins at the start of the ray may seem to be behind it.
         let ahead = if standing.body.is_open() { t > 0.0 } else { leaves > 0.0 };
         (ahead && within(x + t * d)).then_some(t.max(0.0))
     };
@@ -60,7 +60,7 @@ pub fn on_line(x: DVec3, d: DVec3, reach: f64, bodies: &[Standing], within: impl
     }
 }
 
-/// Along a path that bends, in a place that it does not leave but through a surface.
+/// Follows a curved path inside an object that it can only leave through a surface.
 pub fn on_path(path: &mut Path, reach: f64, bodies: &[Standing]) -> Next {
     let stride = path.stride(reach);
     let mut inside: Vec<bool> = bodies.iter().map(|standing| standing.inside).collect();
@@ -79,12 +79,12 @@ pub fn on_path(path: &mut Path, reach: f64, bodies: &[Standing]) -> Next {
             if standing.body.is_open()
                 && times[k].is_some_and(|s| !standing.body.reaches(standing.body.own(path.at(s).0)))
             {
-                // Past its edge.
+                // The crossing is beyond its edge.
                 times[k] = None;
                 inside[k] = standing.body.level(points[1]) < 0.0;
             }
         }
-        // The parameter in which a length as short as that is passed.
+        // The change of the parameter over such a short length.
         if let Some((s, surfaces)) = first(&times, TOGETHER * reach * stride / length) {
             return Next::Surfaces(surfaces, path.at(s));
         }
@@ -96,36 +96,35 @@ pub fn on_path(path: &mut Path, reach: f64, bodies: &[Standing]) -> Next {
     Next::Lost
 }
 
-/// The least of the times, and whose are no further from it than `together`.
+/// Returns the least of the times, and the indices of all that are at most `together` later.
 fn first(times: &[Option<f64>], together: f64) -> Option<(f64, Vec<usize>)> {
     let least = times.iter().flatten().copied().reduce(f64::min)?;
     let near = |i: &usize| times[*i].is_some_and(|t| t <= least + together);
     Some((least, (0..times.len()).filter(near).collect()))
 }
 
-/// The search for one body's surface.
+/// The search for the surface of one body.
 struct Crossing {
     body: Body,
     inside: bool,
-    /// Has the ray just come from the surface?
+    /// Whether the ray has just come from the surface.
     fresh: bool,
 }
 
 impl Crossing {
-    /// How deep the path is on the side where the ray is not: above 0 once it has crossed.
+    /// Returns the depth of the path on the other side of the surface: above 0 once it has crossed.
     fn beyond(&self, path: &mut Path, s: f64) -> f64 {
         let level = self.body.level(self.body.own(path.at(s).0));
         if self.inside { level } else { -level }
     }
 
-    /// The parameter at which the path crosses between `ends`, if it does; a piece of it is no longer than `length` in the
-    /// body's own space.
+    /// Returns the parameter at which the path crosses between `ends`, if it does; a piece of it is at most `length` long in object space.
     fn find(&self, path: &mut Path, ends: [f64; 2], length: f64) -> Option<f64> {
         let values = [if self.fresh { 0.0 } else { self.beyond(path, ends[0]) }, self.beyond(path, ends[1])];
         if values[1] > 0.0 {
             return Some(self.bisect(path, ends));
         }
-        // Can it have been there and back? A ray that has just come from the surface goes away from it.
+        // The path may have crossed twice, unless the ray has just come from the surface and moves away from it.
         if self.fresh || values[0] + values[1] + length <= 0.0 {
             return None;
         }

@@ -26,71 +26,71 @@ use meet::{Next, Standing, on_line, on_path};
 use path::{Path, index};
 use solid::Body;
 
-/// Meetings with surfaces along one path, before it is given up.
+/// The number of surfaces along one path after which it is cut.
 const MOST_MEETINGS: u32 = 1000;
 
-/// A ray on its way.
+/// A ray in the scene.
 #[derive(Debug, Clone)]
 pub struct Ray {
-    /// Where it is.
+    /// The position.
     pub x: DVec3,
-    /// Its unit direction.
+    /// The unit direction.
     pub d: DVec3,
-    /// The clear objects that it is in, in the order in which it has entered them.
+    /// The transparent objects that contain it, in the order in which it has entered them.
     inside: Vec<usize>,
-    /// The objects on whose surface it is.
+    /// The objects whose surface it is on.
     on: Vec<usize>,
 }
 
-/// What a ray comes to.
+/// The end of a ray.
 #[derive(Debug, Clone)]
 pub enum Met {
     /// A surface.
     Surface(Meeting),
     /// The sky, in this direction.
     Sky(DVec3),
-    /// Nothing, for ever.
+    /// Nothing: the ray never ends.
     Lost,
 }
 
 /// A ray's arrival at a surface.
 #[derive(Debug, Clone)]
 pub struct Meeting {
-    /// The ray there, not yet across.
+    /// The ray at the surface, before it crosses.
     pub ray: Ray,
-    /// The object; an opaque one, if there is one at the place.
+    /// The object; an opaque one, if there is one at this point.
     pub object: usize,
-    /// Its unit normal, outward.
+    /// The outward unit normal.
     pub normal: DVec3,
 }
 
-/// A scene, ready to be traced.
+/// A scene that is ready to be traced.
 pub struct Tracer<'s> {
     scene: &'s Scene,
     bodies: Vec<Body>,
 }
 
 impl<'s> Tracer<'s> {
-    /// Fails on what the tracer does not do.
+    /// Creates a tracer; panics if the scene has unsupported features.
     pub fn new(scene: &'s Scene) -> Self {
-        assert!(scene.law.downcast::<Straight>().is_some(), "the tracer knows no other law");
-        assert!(scene.rays.max_parameter.is_none(), "the tracer's rays do not end");
+        assert!(scene.law.downcast::<Straight>().is_some(), "the tracer supports no other law");
+        assert!(scene.rays.max_parameter.is_none(), "the tracer does not limit the path parameter");
         Self { scene, bodies: scene.objects.iter().map(Body::new).collect() }
     }
 
-    /// The picture, row by row from the top: what each pixel's center sees.
+    /// Returns the image, row by row from the top: the radiance at the center of each pixel.
     pub fn render(&self) -> Vec<DVec3> {
         let [width, height] = self.scene.image.size;
         assert_eq!(self.scene.image.samples, 1, "the tracer takes one sample");
         (0..width * height).map(|i| self.pixel(i % width, i / width)).collect()
     }
 
-    /// What the center of one pixel sees.
+    /// Returns the radiance at the center of one pixel.
     pub fn pixel(&self, column: u32, row: u32) -> DVec3 {
         let camera = self.scene.camera.as_ref().expect("a camera");
-        let Pinhole { fov } = camera.projection.downcast().expect("the tracer knows the pinhole camera alone");
+        let Pinhole { fov } = camera.projection.downcast().expect("the tracer only supports the pinhole camera");
         let [width, height] = self.scene.image.size.map(f64::from);
-        // Upwards and to the right from the middle, in halves of the picture's height.
+        // Upward and to the right from the center, in units of half the image height.
         let right = (2.0 * f64::from(column) + 1.0 - width) / height;
         let up = 1.0 - (2.0 * f64::from(row) + 1.0) / height;
         let half = (0.5 * fov).to_radians().tan();
@@ -98,16 +98,16 @@ impl<'s> Tracer<'s> {
         self.seen(camera.position, d.normalize())
     }
 
-    /// The radiance that comes to `x` against the unit vector `d`.
+    /// Returns the radiance that arrives at `x` against the unit vector `d`.
     pub fn seen(&self, x: DVec3, d: DVec3) -> DVec3 {
         let Splitting::Enumerated(branchings) = self.scene.rays.max_splits else {
-            panic!("the tracer leaves nothing to chance")
+            panic!("the tracer does not support random branches")
         };
         let ray = self.ray(x, d);
         self.medium_index(&ray).powi(2) * self.radiance(ray, branchings)
     }
 
-    /// A ray that starts at `x`. Of the objects round it, it has entered last the one whose surface is nearest behind.
+    /// Returns a ray that starts at `x`. Of the objects around it, it has last entered the one whose surface is nearest behind.
     pub fn ray(&self, x: DVec3, d: DVec3) -> Ray {
         let around = |k: &usize| {
             self.scene.objects[*k].interior().is_some() && self.bodies[*k].level(self.bodies[*k].own(x)) < 0.0
@@ -118,7 +118,7 @@ impl<'s> Tracer<'s> {
         Ray { x, d, inside, on: Vec::new() }
     }
 
-    /// The object that the ray is in: of those of the highest priority, the one that it has entered last.
+    /// Returns the object that the ray is in: among those of the highest priority, the one that it has entered last.
     fn current(&self, ray: &Ray) -> Option<usize> {
         ray.inside.iter().copied().max_by_key(|k| self.scene.objects[*k].interior().map(|interior| interior.priority))
     }
@@ -128,19 +128,19 @@ impl<'s> Tracer<'s> {
         interior.map_or(&Constant { n: 1.0 }, |interior| &*interior.medium)
     }
 
-    /// The index where the ray is, 1 outside everything.
+    /// Returns the index at the position of the ray, 1 outside everything.
     pub fn medium_index(&self, ray: &Ray) -> f64 {
         index(self.medium(ray), ray.x)
     }
 
-    /// What the ray comes to next, be it in its medium or hidden in it.
+    /// Returns the next surface of the ray, even if it is hidden in the medium.
     pub fn next(&self, ray: &Ray) -> Met {
         let mut path = Path::new(self.medium(ray), ray.x, ray.d);
         let standings: Vec<Standing> = (0..self.bodies.len()).map(|k| self.standing(ray, k, &mut path)).collect();
         let bound = self.scene.rays.bounding_sphere;
         let found = match path {
             Path::Line { x, d } => {
-                // Rays do not go on beyond the bound.
+                // Rays end at the bounding sphere.
                 let within = |x: DVec3| x.distance(bound.center) <= bound.radius * (1.0 + 1e-12);
                 on_line(x, d, bound.radius, &standings, within)
             }
@@ -163,7 +163,7 @@ impl<'s> Tracer<'s> {
         let inside = if self.scene.objects[k].interior().is_some() {
             ray.inside.contains(&k)
         } else if on {
-            // Where an ingoing spiral is taken for an outgoing one, the path does not set out along the ray.
+            // If an ingoing spiral is treated as an outgoing one, the path does not begin along the ray.
             path.at(0.0).1.dot(body.normal(ray.x)) < 0.0
         } else {
             body.level(body.own(ray.x)) < 0.0
@@ -171,7 +171,7 @@ impl<'s> Tracer<'s> {
         Standing { body, inside, on }
     }
 
-    /// What the surfaces of clear objects do to the ray that has met them, and the rays that go on: the reflected one, and
+    /// Returns the effect of the surfaces of transparent objects on a ray that has met them, and the resulting rays: the reflected one, and
     /// the one across.
     pub fn cross(&self, meeting: &Meeting) -> (Interface, Ray, Ray) {
         let here = &meeting.ray;
@@ -195,7 +195,8 @@ impl<'s> Tracer<'s> {
         (interface, back, across)
     }
 
-    /// Is nothing opaque on a line so long from a place on the surface of `own`, on its side? All bodies are convex.
+    /// Returns `true` if no opaque object is on a line of this length from a point on the surface of `own`, on its side. All bodies are
+    /// convex.
     fn is_clear(&self, own: usize, x: DVec3, d: DVec3, distance: f64) -> bool {
         let within = |t: f64| t > 0.0 && t < distance;
         let blocks = |k: usize| self.bodies[k].span(x, d).is_some_and(|ends| ends.into_iter().any(within));
@@ -203,7 +204,7 @@ impl<'s> Tracer<'s> {
         !(0..self.bodies.len()).any(|k| opaque(k) && blocks(k))
     }
 
-    /// L/n² against the ray; a path that would branch more often than `branchings` times is cut.
+    /// Returns L/n² against the ray; a path that would branch more than `branchings` times is cut.
     fn radiance(&self, mut ray: Ray, branchings: u32) -> DVec3 {
         let mut weight = DVec3::ONE;
         for _ in 0..MOST_MEETINGS {

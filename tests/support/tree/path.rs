@@ -6,7 +6,7 @@ use glam::DVec3;
 
 use super::series::Series;
 
-/// Where a path is, and its unit direction there.
+/// A position on a path, and its unit direction there.
 pub type Point = (DVec3, DVec3);
 
 /// A path from parameter 0 on.
@@ -20,13 +20,13 @@ pub enum Path {
     Parabola { x: DVec3, v: DVec3, g: DVec3 },
     /// r = S e^(s sin ψ) at the angle s cos ψ from `radial` towards `across`.
     Spiral { center: DVec3, start: f64, radial: DVec3, across: DVec3, sin: f64, cos: f64 },
-    /// Of curvature κ towards `inward`, s in scene units.
+    /// A circle of curvature κ toward `inward`, s in scene units.
     Circle { x: DVec3, d: DVec3, inward: DVec3, curvature: f64 },
-    /// By Taylor series.
+    /// A path by Taylor series.
     Series(Series),
 }
 
-/// The index at `x`.
+/// Returns the index at `x`.
 pub fn index(medium: &dyn Medium, x: DVec3) -> f64 {
     if let Some(Constant { n }) = medium.downcast() {
         *n
@@ -43,12 +43,12 @@ pub fn index(medium: &dyn Medium, x: DVec3) -> f64 {
     } else if let Some(Linear { origin, n0, gradient }) = medium.downcast() {
         (n0.powi(2) + gradient.dot(x - origin)).sqrt()
     } else {
-        panic!("the tracer does not know {medium:?}")
+        panic!("the tracer does not support {medium:?}")
     }
 }
 
 impl Path {
-    /// From `x` along the unit vector `d`.
+    /// Returns the path from `x` along the unit vector `d`.
     pub fn new(medium: &dyn Medium, x: DVec3, d: DVec3) -> Self {
         let v = index(medium, x) * d;
         if let Some(Luneburg { center, radius, .. }) = medium.downcast() {
@@ -70,7 +70,7 @@ impl Path {
             let sin = if *ingoing == Ingoing::Continued { sin.abs() } else { sin };
             Self::Spiral { center: *center, start, radial, across, sin, cos }
         } else if let Some(Fisheye { center, a, .. }) = medium.downcast() {
-            // The curvature is what of ∇ ln n is across the path.
+            // The curvature is the component of ∇ ln n across the path.
             let bend = -2.0 * (x - center) / (a.powi(2) + x.distance_squared(*center));
             let bend = bend.reject_from_normalized(d);
             Self::Circle { x, d, inward: bend.normalize_or_zero(), curvature: bend.length() }
@@ -79,7 +79,7 @@ impl Path {
         }
     }
 
-    /// The point at parameter `s` ≥ 0.
+    /// Returns the point at parameter `s` ≥ 0.
     pub fn at(&mut self, s: f64) -> Point {
         match self {
             Self::Line { x, d } => (*x + s * *d, *d),
@@ -96,7 +96,7 @@ impl Path {
                 (*center + *start * (s * *sin).exp() * outward, *sin * outward + *cos * around)
             }
             Self::Circle { x, d, inward, curvature } => {
-                // sin(κs)/κ and (1 − cos κs)/κ; a straight line where κ is 0.
+                // sin(κs)/κ and (1 − cos κs)/κ; a straight line if κ is 0.
                 let angle = *curvature * s;
                 let half = 0.5 * angle;
                 let ahead = if angle == 0.0 { s } else { angle.sin() / *curvature };
@@ -107,7 +107,7 @@ impl Path {
         }
     }
 
-    /// A change of the parameter over which the path hardly turns, and is no longer than `reach`.
+    /// Returns a change of the parameter over which the path hardly turns and is at most `reach` long.
     pub fn stride(&self, reach: f64) -> f64 {
         match self {
             Self::Line { .. } => reach,
@@ -122,7 +122,7 @@ impl Path {
         }
     }
 
-    /// Is `x` so deep in a center that the path can be given up?
+    /// Returns `true` if `x` is so close to a center that the path can end.
     pub fn has_ended(&self, x: DVec3) -> bool {
         matches!(self, Self::Spiral { center, start, .. } if x.distance(*center) < 1e-7 * *start)
     }

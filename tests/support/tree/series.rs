@@ -21,21 +21,21 @@ pub struct Series {
 
 #[derive(Debug, Clone)]
 struct Piece {
-    /// The parameter where it begins, and over which it holds.
+    /// The parameter at which it begins, and the change of the parameter for which it holds.
     start: f64,
     length: f64,
-    /// Of ρ, in powers of the parameter.
+    /// The coefficients of ρ, in powers of the parameter.
     terms: Vec<DVec3>,
 }
 
 impl Series {
-    /// From `x` with the velocity `v`, |v| = n there.
+    /// Returns the path from `x` with the velocity `v`, |v| = n there.
     pub fn new(center: DVec3, x: DVec3, v: DVec3, k: f64) -> Self {
         let first = Piece::new(0.0, x - center, v, k);
         Self { center, k, pieces: vec![first] }
     }
 
-    /// The point at the parameter `s`.
+    /// Returns the point at the parameter `s`.
     pub fn at(&mut self, s: f64) -> Point {
         loop {
             let last = &self.pieces[self.pieces.len() - 1];
@@ -51,12 +51,12 @@ impl Series {
         (self.center + rho, v.normalize())
     }
 
-    /// A part of a piece over which the path hardly turns.
+    /// Returns a part of a piece over which the path hardly turns.
     pub fn stride(&self) -> f64 {
         0.2 * self.pieces.iter().map(|piece| piece.length).fold(f64::INFINITY, f64::min)
     }
 
-    /// |x′| at the start.
+    /// Returns |x′| at the start.
     pub fn speed(&self) -> f64 {
         self.pieces[0].terms[1].length()
     }
@@ -65,7 +65,7 @@ impl Series {
 impl Piece {
     fn new(start: f64, rho: DVec3, v: DVec3, k: f64) -> Self {
         let mut terms = vec![rho, v];
-        // |v| = n: no index needs to be known.
+        // |v| = n, so the index is not needed.
         let mut w = vec![v.length_squared()];
         let mut q = vec![rho.length_squared()];
         for n in 0..ORDER - 1 {
@@ -80,7 +80,7 @@ impl Piece {
         Self { start, length: reach(ORDER).min(reach(ORDER - 1)), terms }
     }
 
-    /// ρ and its rate.
+    /// Returns ρ and its rate.
     fn at(&self, s: f64) -> (DVec3, DVec3) {
         let t = s - self.start;
         let powers = self.terms.iter().enumerate().rev();

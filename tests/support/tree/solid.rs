@@ -1,10 +1,10 @@
-//! Shapes in their own spaces, and objects in their places.
+//! Shapes in object space, and their placement in the scene.
 
 use bentray::model::shape::{Cuboid, Cylinder, Disk, Plane, Sphere};
 use bentray::scene::Object;
 use glam::{DAffine3, DVec2, DVec3};
 
-/// The shapes that the tracer knows.
+/// The shapes that the tracer supports.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Primitive {
     /// |p| ≤ 1.
@@ -13,22 +13,22 @@ enum Primitive {
     Cube,
     /// x² + z² ≤ 1, |y| ≤ 1.
     Rod,
-    /// |x|, |z| ≤ 1 in y = 0: it has sides, but no inside.
+    /// |x|, |z| ≤ 1 in y = 0: it has two sides, but no inside.
     Square,
-    /// hole² ≤ x² + z² ≤ 1 in y = 0, without an inside too.
+    /// hole² ≤ x² + z² ≤ 1 in y = 0, also without an inside.
     Ring { hole: f64 },
 }
 
-/// A shape in its place.
+/// A shape with its placement.
 #[derive(Debug, Clone, Copy)]
 pub struct Body {
     solid: Primitive,
-    /// From the scene's space to the shape's own.
+    /// The map from the scene to object space.
     inward: DAffine3,
 }
 
 impl Body {
-    /// The object's shape; fails on shapes that the tracer does not know.
+    /// Returns the shape of the object; panics for unsupported shapes.
     pub fn new(object: &Object) -> Self {
         let shape = &object.shape;
         let known = [
@@ -38,17 +38,17 @@ impl Body {
             shape.downcast().map(|Plane| Primitive::Square),
             shape.downcast().map(|Disk { hole }| Primitive::Ring { hole: *hole }),
         ];
-        let solid = known.into_iter().flatten().next().expect("the tracer knows no such shape");
+        let solid = known.into_iter().flatten().next().expect("the tracer does not support this shape");
         Self { solid, inward: object.transform.0.inverse() }
     }
 
-    /// A point in the shape's own space.
+    /// Returns a point in object space.
     pub fn own(&self, x: DVec3) -> DVec3 {
         self.inward.transform_point3(x)
     }
 
-    /// Below 0 inside, 0 on the surface; no steeper than 1 in the shape's own space, where `p` is. Of what is
-    /// open, the side.
+    /// Returns the level of a point in object space: below 0 inside, 0 on the surface, with a slope of at most 1. For an open shape its
+    /// sign is the side.
     pub fn level(&self, p: DVec3) -> f64 {
         match self.solid {
             Primitive::Ball => p.length() - 1.0,
@@ -58,7 +58,7 @@ impl Body {
         }
     }
 
-    /// Is a point at level 0 a point of the surface?
+    /// Returns `true` if a point at level 0 is a point of the surface.
     pub fn reaches(&self, p: DVec3) -> bool {
         match self.solid {
             Primitive::Square => p.x.abs().max(p.z.abs()) <= 1.0,
@@ -67,12 +67,12 @@ impl Body {
         }
     }
 
-    /// Has it no inside?
+    /// Returns `true` if the shape has no inside.
     pub fn is_open(&self) -> bool {
         matches!(self.solid, Primitive::Square | Primitive::Ring { .. })
     }
 
-    /// Where the line x + t d enters and leaves; what is open is left where it is entered.
+    /// Returns the parameters at which the line x + t d enters and leaves; for an open shape they are equal.
     pub fn span(&self, x: DVec3, d: DVec3) -> Option<[f64; 2]> {
         let (p, d) = (self.own(x), self.inward.transform_vector3(d));
         match self.solid {
@@ -96,7 +96,7 @@ impl Body {
         }
     }
 
-    /// The unit normal at a point of the surface, outward; of what is open, +y.
+    /// Returns the outward unit normal at a point of the surface; +y for an open shape.
     pub fn normal(&self, x: DVec3) -> DVec3 {
         let p = self.own(x);
         let gradient = match self.solid {
@@ -112,7 +112,7 @@ impl Body {
         (self.inward.matrix3.transpose() * gradient).normalize()
     }
 
-    /// (u, v) at a point of the surface.
+    /// Returns (u, v) at a point of the surface.
     pub fn uv(&self, x: DVec3) -> DVec2 {
         use std::f64::consts::PI;
         let p = self.own(x);
@@ -127,7 +127,7 @@ impl Body {
                 let q = [DVec2::new(-side * p.z, p.y), DVec2::new(p.x, -side * p.z), DVec2::new(side * p.x, p.y)];
                 0.5 + 0.5 * q[axis]
             }
-            // Over the lower face outwards, up the mantle, over the upper face inwards.
+            // Over the lower face outward, up the mantle, over the upper face inward.
             Primitive::Rod if p.y.abs() <= rho => DVec2::new(turn, 0.5 + 0.5 * p.y),
             Primitive::Rod => DVec2::new(turn, if p.y > 0.0 { 1.0 - rho } else { rho }),
             Primitive::Square => DVec2::new(0.5 + 0.5 * p.x, 0.5 - 0.5 * p.z),
@@ -136,16 +136,16 @@ impl Body {
     }
 }
 
-/// Where p + t d is in the unit ball.
+/// Returns the interval of p + t d in the unit ball.
 fn round(p: DVec3, d: DVec3) -> Option<[f64; 2]> {
-    // From the nearest point: its distance loses no digits far away.
+    // From the nearest point, because its distance loses no digits far away.
     let middle = -p.dot(d) / d.length_squared();
     let inside = 1.0 - (p + middle * d).length_squared();
     let half = (inside / d.length_squared()).sqrt();
     (inside > 0.0).then_some([middle - half, middle + half])
 }
 
-/// Where a coordinate is within ±1.
+/// Returns the interval in which a coordinate is within ±1.
 fn slab(p: f64, d: f64) -> Option<[f64; 2]> {
     if d == 0.0 {
         return (p.abs() <= 1.0).then_some([f64::NEG_INFINITY, f64::INFINITY]);
@@ -154,7 +154,7 @@ fn slab(p: f64, d: f64) -> Option<[f64; 2]> {
     Some([walls[0].min(walls[1]), walls[0].max(walls[1])])
 }
 
-/// What two spans share.
+/// Returns the intersection of two intervals.
 fn both(a: [f64; 2], b: [f64; 2]) -> Option<[f64; 2]> {
     let span = [a[0].max(b[0]), a[1].min(b[1])];
     (span[0] < span[1]).then_some(span)

@@ -104,8 +104,8 @@ fn materials_are_as_near_as_ours_come() {
     assert!(of(6).surface.downcast::<Emissive>().is_some() && of(6).color == Pattern::Constant(DVec3::ONE));
     assert_eq!(of(7).name, "a \"b\"\n");
     let told = case.imported.left_out.join("\n");
-    assert_eq!(told.matches("rough metals").count(), 1, "each kind is told once: {told}");
-    assert!(told.contains("added: a camera") && !told.contains("added: a light"), "a lamp shines: {told}");
+    assert_eq!(told.matches("rough metals").count(), 1, "each kind is reported once: {told}");
+    assert!(told.contains("added: a camera") && !told.contains("added: a light"), "an emitter shines: {told}");
 }
 
 #[test]
