@@ -226,8 +226,8 @@ fn long_walks_go_on_in_every_structure() {
     }
 }
 
-/// The contents of one cell are tested at once. If they exceed the work limit of a pass, as with a small detailed object in a large
-/// scene, rays end as failed and are counted.
+/// The contents of one cell are tested at once. If they exceed the work limit of a pass, as with a small detailed object in
+/// a large scene, rays end as failed and are counted.
 #[test]
 fn a_heap_in_one_cell_fails_in_sight_or_is_met() {
     let gpu = gpu();
@@ -264,7 +264,7 @@ fn a_heap_in_one_cell_fails_in_sight_or_is_met() {
     }
 }
 
-/// Only the structures of objects that move are rebuilt.
+/// The structure is rebuilt only if an object moves.
 #[test]
 fn a_structure_is_kept_while_nothing_moves() {
     let text =

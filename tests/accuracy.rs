@@ -62,8 +62,8 @@ fn deflections_at_infinity() {
     }
 }
 
-/// Scattering by an inverse-square center has a closed form, 2 atan(M / (b v²)). The verification of a coarse method measures exactly
-/// this error.
+/// Scattering by an inverse-square center has a closed form, 2 atan(M / (b
+/// v²)). The verification of a coarse method measures exactly this error.
 #[test]
 fn measured_errors_are_the_true_ones() {
     let gpu = gpu();
@@ -84,9 +84,8 @@ fn measured_errors_are_the_true_ones() {
     }
 }
 
-/// The same ten thousand steps in 32 bits and in 64. Rounding of positions, which are near 10, is about 6e-7 per step and of either
-/// sign, so that it accumulates to 6e-5. Rounding of step sizes in τ always has one sign, and would move every end back by 2e-3 along
-/// its path.
+/// The same ten thousand steps in 32 bits and in 64. Rounding of positions, which are near 10, is about 6e-7 per step and of either sign,
+/// so that it accumulates to 6e-5. Rounding of step sizes in τ always has one sign, and would move every end back by 2e-3 along its path.
 #[test]
 fn a_long_flow_ends_when_it_should() {
     let gpu = gpu();
@@ -128,8 +127,8 @@ fn a_calibrated_scene_is_as_accurate_as_was_asked() {
     assert!(calibrate(&gpu, &named, &RenderSettings::default(), None).unwrap().is_none());
 }
 
-/// A choice without a search is also correct, for laws that bend rays little or much and with objects in their way; and an expensive
-/// image is worth the search.
+/// A choice without a search is also correct, for laws that bend rays little or
+/// much and with objects in their way; and an expensive image is worth the search.
 #[test]
 fn a_small_picture_is_as_accurate_as_was_asked() {
     let gpu = gpu();

@@ -51,8 +51,8 @@ fn a_panorama_of_a_bare_sky_is_the_sky() {
             }
         }
         println!("{fov:?}: off by {off:e} of {brightest}");
-        // Positions in the sky err by 4e-7/π of its width (the error of the arc tangent), and neighboring texels may differ by the full
-        // range; the sky is stored in 16 bits.
+        // Positions in the sky err by 4e-7/π of its width (the error of the arc tangent), and neighboring texels may differ
+        // by the full range; the sky is stored in 16 bits.
         let place = size[0] as f32 * (4e-7 / std::f32::consts::PI + 6.0 * f32::EPSILON);
         assert!(off <= brightest * (2.0 * place + 0.5 / 1024.0), "{fov:?}: off by {off}");
     };
@@ -117,8 +117,8 @@ fn places(camera: &str) -> [f64; 2] {
     })
 }
 
-/// With parallel views a ball at a distance of 5 is shifted by its parallax. If the views converge at it, it is not shifted; if it is
-/// closer than that, it is further right for the left eye.
+/// A ball at a distance of 5 is shifted by its parallax if the views are parallel. If the views converge at it, it is not
+/// shifted; if it is closer than that, it is further right for the left eye.
 #[test]
 fn views_cross_where_they_shall() {
     let stereo = |more: &str| format!("stereo = {{ separation = 0.5{more} }}");
@@ -143,8 +143,8 @@ fn views_cross_where_they_shall() {
 const HOLE: &str = "[law]\nkind = \"schwarzschild\"\n[rays]\nbounding_sphere = { radius = 30 }\nmethod = \"planar\"\n\
     [sky]\ncolor = [0.1, 0.2, 0.3]\n";
 
-/// Outside the disk there are no rays, for either observer and for a sky at infinity: the counts there are neither sky nor errors, and
-/// the alpha of every pixel is the fraction of its samples that are inside.
+/// Outside the disk there are no rays, for either observer and for a sky at infinity: the counts there are neither sky nor
+/// errors, and the alpha of every pixel is the fraction of its samples that are inside.
 #[test]
 fn outside_the_disk_there_is_nothing() {
     for (frame, more) in [("coordinate", ""), ("static", ""), ("static", "sky_at_infinity = true\n")] {
@@ -181,8 +181,8 @@ fn outside_the_disk_there_is_nothing() {
     }
 }
 
-/// The shadow of a black hole for a static observer has the radius sin θ = 3√3 M √(1 − 2M/r)/r. In an image with a constant angle per
-/// pixel it repeats every 360°, at the angles 2πk ± θ.
+/// The shadow of a black hole for a static observer has the radius sin θ = 3√3 M √(1 − 2M/r)/r. In an image with a constant
+/// angle per pixel it repeats every 360°, at the angles 2πk ± θ.
 #[test]
 fn the_shadow_has_its_size_in_a_fisheye() {
     let r: f64 = 6.0;

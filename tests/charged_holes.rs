@@ -9,8 +9,8 @@ use crate::kerr_fates::fate;
 use crate::shaders::Random;
 use crate::support::{gpu, scene};
 
-/// Without spin a Kerr–Newman black hole is a Reissner–Nordström one: paths are identical, also with `planar` and with a cosmological
-/// constant.
+/// Without spin a Kerr–Newman black hole is a Reissner–Nordström one: paths are
+/// identical, also with `planar` and with a cosmological constant.
 #[test]
 fn charged_holes_are_those_of_kerr_and_newman_without_spin() {
     let gpu = gpu();

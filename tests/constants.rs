@@ -1,4 +1,4 @@
-//! The constants that the host reads from the shaders are there.
+//! The constants that the Rust code reads from the shaders exist.
 
 use std::collections::BTreeSet;
 

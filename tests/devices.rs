@@ -9,11 +9,11 @@ use bentray::scene::Scene;
 
 use crate::support::all_scenes;
 
-/// The limits that WebGPU guarantees for a pass (<https://www.w3.org/TR/webgpu/#limits>): storage buffers, storage textures, other textures
-/// and uniform buffers.
+/// The limits that WebGPU guarantees for a pass (<https://www.w3.org/TR/webgpu/#limits>): storage buffers, storage
+/// textures, other textures and uniform buffers.
 const LIMITS: [usize; 4] = [8, 4, 16, 12];
-/// Scenes with a pass that needs more storage buffers, and their number, at most 12. A mesh takes three (its tree, and the data for hits
-/// and for shading) and one more if it has sides, a photon grid two, lists of pixels four, and pixels and counts one each.
+/// Scenes with a pass that needs more storage buffers, and their number, at most 12. A mesh takes three (its tree, and the data for
+/// hits and for shading) and one more if it has sides, a photon grid two, lists of pixels four, and pixels and counts one each.
 const MORE: [(&str, usize); 4] = [
     ("scenes/paths/prism.toml", 11),
     ("scenes/spacetimes/wormhole.toml", 9),
@@ -54,8 +54,8 @@ fn passes_fit_webgpus_default_limits() {
     assert!(over.is_empty(), "{over:#?}");
 }
 
-/// A profile determines the form of programs for a device, but not a bit of their results. The test runs programs of both profiles on the
-/// available device.
+/// A profile determines the form of programs for a device, but not a bit of their
+/// results. The test runs programs of both profiles on the available device.
 #[test]
 fn pictures_do_not_depend_on_the_profile() {
     let mut gpu = Gpu::open(None).unwrap();

@@ -179,8 +179,8 @@ fn hottest(spin: f64) -> f64 {
     orbits.iter().map(|orbit| orbit.flux).fold(0.0, f64::max)
 }
 
-/// Checks the crossings of rays with a disk, in the order of tracing: position, redshift and color. A few third crossings are far out and
-/// at a grazing angle, which the sensitivity does not include: only 64 bits are checked there.
+/// Checks the crossings of rays with a disk, in the order of tracing: position, redshift and color. A few third crossings
+/// are far out and at a grazing angle, which the sensitivity does not include: only 64 bits are checked there.
 #[test]
 fn light_of_discs_is_shifted_as_series_say() {
     for row in rows(include_str!("tables/disc_crossings.tsv")) {
@@ -216,7 +216,7 @@ fn light_of_discs_is_shifted_as_series_say() {
                     0.95 * rho
                 ));
                 let picture = rendered(&scene);
-                let Some(Plane::Vector(position)) = picture.band.layer(Layer::Position) else { panic!("no places") };
+                let Some(Plane::Vector(position)) = picture.band.layer(Layer::Position) else { panic!("no positions") };
                 let off = (f64::from(position[0][0]) - number(0)).hypot(f64::from(position[1][0]) - number(1)) / rho;
                 println!("{} crossing {k}: off by {off:e} of {bound:e}", row[0]);
                 assert!(off < bound, "{} crossing {k}: off by {off:e}", row[0]);
@@ -236,8 +236,8 @@ fn light_of_discs_is_shifted_as_series_say() {
     }
 }
 
-/// Checks that a translucent disk is visible at each crossing of a ray, attenuated by the earlier crossings and with a separate redshift.
-/// All schedules agree, and so does ray splitting.
+/// Checks that a translucent disk is visible at each crossing of a ray, attenuated by the earlier crossings and with a
+/// separate redshift. All schedules agree, and so does ray splitting.
 #[test]
 fn light_of_translucent_discs_adds_up() {
     const OPACITY: f64 = 0.3;
@@ -274,7 +274,7 @@ fn light_of_translucent_discs_adds_up() {
             let options = ProgramOptions { schedule, layers: vec![Layer::ImageOrder], ..ProgramOptions::default() };
             let settings = RenderSettings { options, ..RenderSettings::default() };
             let picture = Renderer::new(&gpu(), &scene, settings).unwrap().render().unwrap();
-            let Some(Plane::Vector(seen)) = picture.band.layer(Layer::ImageOrder) else { panic!("no orders") };
+            let Some(Plane::Vector(seen)) = picture.band.layer(Layer::ImageOrder) else { panic!("no image orders") };
             orders.resize(3, 0.0);
             // A few third crossings are so far out and grazing that errors of 32 bits are visible.
             for ((seen, told), bound) in seen.iter().zip(&orders).zip([2e-3, 2e-3, 2e-2]) {

@@ -21,7 +21,7 @@ fn visible_light_is_the_same_everywhere() {
     assert_eq!(drawn, [VISIBLE.start(), VISIBLE.end()].map(|end| end.to_bits()));
 }
 
-/// A prism of angle A turns a ray that crosses it symmetrically by D, where n = sin((A + D)/2)/sin(A/2).
+/// A prism of angle A deflects a symmetric ray by D, where n = sin((A + D)/2)/sin(A/2).
 #[test]
 fn prisms_turn_each_wavelength_by_its_least_deviation() {
     let folder = tempfile::tempdir().unwrap();

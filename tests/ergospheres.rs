@@ -1,5 +1,5 @@
-//! The redshift of light that is seen from inside an ergosphere, where its energy may be negative, and of light from near a horizon,
-//! compared with Carter's equations and the constants of motion at the camera.
+//! The redshift of light that is seen from inside an ergosphere, where its energy may be negative, and of light from near a
+//! horizon, compared with Carter's equations and the constants of motion at the camera.
 
 #![allow(clippy::many_single_char_names)] // the letters of the formulas
 
@@ -37,8 +37,8 @@ impl Hole {
         DMat4::from_diagonal(DVec4::new(1.0, 1.0, 1.0, -1.0)) + f * DMat4::from_cols(l.x * l, l.y * l, l.z * l, l.w * l)
     }
 
-    /// Returns the light that an observer with zero angular momentum (or a static one) at x sees along d, relative to axes to the right, up
-    /// and forward.
+    /// Returns the light that an observer with zero angular momentum (or a static
+    /// one) at x sees along d, relative to axes to the right, up and forward.
     fn light(&self, x: DVec3, axes: [DVec3; 3], d: DVec3, rests: bool) -> Light {
         let (a, g) = (self.spin, self.metric(x));
         let dot = |a: DVec4, b: DVec4| a.dot(g * b);
@@ -112,7 +112,7 @@ impl Hole {
 
 /// Returns the number of pixels that see the disk, the number that see it by light of negative energy, and the largest relative error of g.
 fn compared(picture: &Rendering, hole: &Hole, light: impl Fn(usize) -> Light, from: f64) -> (usize, usize, f64) {
-    let Some(Plane::Vector([x, y, _])) = picture.band.layer(Layer::Position) else { panic!("no layer of places") };
+    let Some(Plane::Vector([x, y, _])) = picture.band.layer(Layer::Position) else { panic!("no position layer") };
     let (mut seen, mut negative, mut worst) = (0, 0, 0.0_f64);
     for (i, shift) in shifts(picture).iter().enumerate().filter(|(_, shift)| **shift != 0.0) {
         let r = (f64::from(x[i]).powi(2) + f64::from(y[i]).powi(2) - hole.spin.powi(2)).sqrt();
@@ -137,8 +137,8 @@ const METHODS: [(&str, &str); 4] = [
     ("f64", "method = \"separated\"\nscaled_step = 0.02"),
 ];
 
-/// Checks disks of orbiting and of infalling matter, seen from inside the ergosphere and from far away, with the black hole's law and with
-/// its line element.
+/// Checks disks of orbiting and of infalling matter, seen from inside the ergosphere
+/// and from far away, with the black hole's law and with its line element.
 #[test]
 fn light_of_any_energy_is_shifted_as_its_constants_say() {
     let far = DVec3::new(29.544_232_590_366_242, 0.0, 5.209_445_330_007_912);
@@ -182,14 +182,14 @@ fn light_of_any_energy_is_shifted_as_its_constants_say() {
                 if inside { "zamo" } else { "static" },
             ));
             let picture = rendered(&scene);
-            // Orbiting matter is interpolated linearly between 4096 radii. For infalling matter a part of K counts that is known up to a
-            // factor, and its source is as small as Δ, which is at least 0.02.
+            // Orbiting matter is interpolated linearly between 4096 radii. For infalling matter a part of K counts that is
+            // known up to a factor, and its source is as small as Δ, which is at least 0.02.
             let falling = if precision == "f32" { 1e-3 } else { 1e-4 };
             for (what, from, bound) in [("orbits", hole.innermost_stable(), 5e-5), ("falls", horizon + 0.1, falling)] {
                 let (seen, negative, worst) = compared(&picture, &hole, light, from);
                 println!("{spin} {position} {law} {precision} {method}: {what} {seen} {negative} {worst:e}");
-                assert!(seen > 20 && negative >= least, "{seen} pixels see what {what}, {negative} by negative energy");
-                assert!(worst < bound, "{spin} {position} {law} {precision} {method}: what {what} is off by {worst:e}");
+                assert!(seen > 20 && negative >= least, "{seen} pixels for {what}, {negative} by negative energy");
+                assert!(worst < bound, "{spin} {position} {law} {precision} {method}, {what}: off by {worst:e}");
             }
         }
     }

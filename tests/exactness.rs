@@ -43,8 +43,8 @@ fn unnamed(module: &naga::Module, source: &str) -> Vec<String> {
     unnamed.map(|name| format!("const {name}")).collect()
 }
 
-/// Names that may be unused. Entering a set of regions names the kind and the medium, even if the pass does not read them; if all space is
-/// one region, `media[place]` is a copy of the only medium. A pass notes its lane even if this scene has no long loops there.
+/// Names that may be unused. Entering a set of regions names the kind and the medium, even if the pass does not read them; if all
+/// space is one region, `media[place]` is a copy of the only medium. A pass notes its lane even if this scene has no long loops there.
 const ENTERED: [&str; 3] = ["region", "place", "own_lanes"];
 
 /// Returns private variables that nothing reads, including copies of uniforms.
@@ -144,8 +144,8 @@ const FILTERS: [&str; 6] = [
     "coefficient = \"2\", emission = [1, 1, 1]",
 ];
 
-/// Validates a pass as a device receives it, with the values of its pipeline constants. All constant expressions are then evaluated again,
-/// also those in functions.
+/// Validates a pass as a device receives it, with the values of its pipeline constants. All constant expressions are then
+/// evaluated again, also those in functions.
 fn with_constants(linked: &LinkedProgram) -> Result<(), String> {
     let module = naga::front::wgsl::parse_str(&linked.source).map_err(|error| error.to_string())?;
     let capabilities = naga::valid::Capabilities::default() | naga::valid::Capabilities::FLOAT64;
@@ -204,8 +204,8 @@ fn every_scene_is_valid_in_64_bits() {
     assert!(count > 80, "{count} scenes");
 }
 
-/// In naga's HLSL the number of workgroups is only correct in an entry point: a function that receives it gets the group's id, so that rows
-/// of a list would overlap on DX12. No pass reads it.
+/// In naga's HLSL the number of workgroups is only correct in an entry point: a function that receives it gets the group's
+/// id, so that rows of a list would overlap on DX12. No pass reads it.
 #[test]
 fn no_pass_asks_for_the_number_of_workgroups() {
     let is_count =

@@ -1,5 +1,5 @@
-//! Tests surfaces by a custom law: a reflecting law acts as a mirror, a law that continues rays straight ahead has no effect, and the light
-//! is the sum of the weights.
+//! Tests surfaces by a custom law: a reflecting law acts as a mirror, a law that continues rays straight ahead has no
+//! effect, and the light is the sum of the weights.
 
 use bentray::render::{RenderSettings, Renderer};
 use glam::DVec3;

@@ -1,5 +1,5 @@
-//! Tests the texture filtering of pixels: colors are means over the footprint, also for bent light, and identical in every schedule and
-//! tile.
+//! Tests the texture filtering of pixels: colors are means over the footprint,
+//! also for bent light, and identical in every schedule and tile.
 
 use std::sync::Arc;
 

@@ -8,8 +8,8 @@ use glam::DVec3;
 
 use crate::support::{gpu, scene};
 
-/// The rays, the camera, the walls, n² at the camera divided by n² at the walls, and the law. r² is 0.14 at the cameras `round` and
-/// `steep`, and 1.74 at `aside` and `front`; `inside` is 0.03 from the center of the transparent object.
+/// The rays, the camera, the walls, n² at the camera divided by n² at the walls, and the law. r² is 0.14 at the cameras
+/// `round` and `steep`, and 1.74 at `aside` and `front`; `inside` is 0.03 from the center of the transparent object.
 const LAWS: &str = r#"
     closed | round | room  | 1 | { kind = "straight" }
     planar | round | ball  | 1 | { kind = "schwarzschild", mass = 0.2, center = [5, 0, 0] }
@@ -130,8 +130,8 @@ fn samples() -> Vec<u8> {
     (0..13 * 13 * 13).flat_map(|i| index(i).to_le_bytes()).collect()
 }
 
-/// Checks that every pixel has the expected radiance and that no path is lost, because a path that is already dark would not affect its
-/// pixel.
+/// Checks that every pixel has the expected radiance and that no path is lost,
+/// because a path that is already dark would not affect its pixel.
 fn check(table: &str, size: [u32; 2], samples_a_pixel: u32, law_and_objects: fn(&str, &str) -> [String; 2]) {
     let folder = tempfile::tempdir().unwrap();
     std::fs::write(folder.path().join("index.raw"), samples()).unwrap();

@@ -87,9 +87,9 @@ impl Asked {
     }
 }
 
-/// Returns overrides for a small image: one sample for few pixels, or some samples for fewer pixels if directions are drawn at random.
-/// (References of random images have so many samples that their noise is near 1 % of the mean.) Rays are as accurate as such a pixel can
-/// show, and a photon grid has enough paths to make its noise invisible.
+/// Returns overrides for a small image: one sample for few pixels, or some samples for fewer pixels if directions are drawn
+/// at random. (References of random images have so many samples that their noise is near 1 % of the mean.) Rays are as
+/// accurate as such a pixel can show, and a photon grid has enough paths to make its noise invisible.
 fn smaller(asked: &Asked) -> Vec<Override> {
     let scene = asked.load(None);
     let (samples, size) = if scene.rays.path_tracing.is_some() {

@@ -79,8 +79,8 @@ fn narrow_lobes_are_smooth() {
     assert!(apart(&rough) > 0.05, "{}", apart(&rough));
 }
 
-/// Returns the reflected and transmitted fractions of a microfacet surface between air and a medium of index n at an angle, by sums over
-/// the outgoing directions (Walter et al. 2007, Eqs. 20, 21, 33 and 34; Smith's G).
+/// Returns the reflected and transmitted fractions of a microfacet surface between air and a medium of index n at an angle,
+/// by sums over the outgoing directions (Walter et al. 2007, Eqs. 20, 21, 33 and 34; Smith's G).
 #[allow(clippy::many_single_char_names, reason = "the letters of the paper")]
 fn microfacet_albedos(a: f64, n: f64, degrees: f64) -> [f64; 2] {
     const STEPS: usize = 600;

@@ -73,7 +73,7 @@ fn the_iteration_is_as_printed() {
     }
 }
 
-/// With M h instead of M its rays converge to those by arc length at the rate of the Euler method.
+/// The rays with M h instead of M converge to those by arc length at the rate of the Euler method.
 #[test]
 fn the_iteration_comes_to_the_law_by_length() {
     let law = |part: f64| format!("kind = \"sources\"\n{}", sources(part));

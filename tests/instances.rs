@@ -111,8 +111,8 @@ fn a_mesh_that_is_kept_once_is_met_where_its_copies_are() {
     }
 }
 
-/// A heap of separate triangles with many instances in one position: a ray visits far more nodes than a pass has iterations, and hits an
-/// object behind them all.
+/// A heap of separate triangles with many instances in one position: a ray visits far more nodes than a pass has
+/// iterations, and hits an object behind them all.
 #[test]
 fn long_walks_through_meshes_that_are_kept_once_go_on() {
     let mut random = Random::new(32);
@@ -158,8 +158,8 @@ fn long_walks_through_meshes_that_are_kept_once_go_on() {
     }
 }
 
-/// Neighboring rays that traverse different nodes wait for each other's loops, and this does not use up their common limit of iterations.
-/// The objects are needles, of which many are near a ray and few are hit.
+/// Neighboring rays that traverse different nodes wait for each other's loops, and this does not use up their common limit
+/// of iterations. The objects are needles, of which many are near a ray and few are hit.
 #[test]
 fn walks_side_by_side_count_together() {
     let mut random = Random::new(1);

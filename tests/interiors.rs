@@ -1,5 +1,5 @@
-//! Transparent objects and mirrors: all schedules agree, meshes agree with the equivalent shapes, and rays are correct in the limiting
-//! cases of formulas.
+//! Transparent objects and mirrors: all schedules agree, meshes agree with the
+//! equivalent shapes, and rays are correct in the limiting cases of formulas.
 
 use bentray::gpu::Geometry;
 use bentray::program::{BindingKind, Layer, Mode, Program, ProgramOptions, RaySkipping, Schedule};
@@ -99,8 +99,8 @@ fn a_closed_mesh_of_glass_is_what_its_shape_is() {
     }
 }
 
-/// A mesh with inward winding, and one of two overlapping parts, agree with the boxes that they consist of: for single rays, in images,
-/// from inside, and in shadows.
+/// A mesh with inward winding, and one of two overlapping parts, agree with the boxes that they consist of: for single
+/// rays, in images, from inside, and in shadows.
 #[test]
 fn meshes_are_solid_however_their_files_wind_them() {
     let folder = tempfile::tempdir().unwrap();
@@ -222,8 +222,8 @@ fn rays_in_their_limits() {
         format!("[rays]\nbounding_sphere = {{ radius = 5 }}\n[[objects]]\nshape = \"sphere\"\ninterior = {medium}\n")
     };
     let along_x = [[-4.0, 0.0, 0.0, 1.0, 0.0, 0.0]];
-    // Each medium has the distance from the axis at which a ray touches the sphere, or just misses it if the index jumps, because a hit
-    // would then bend the ray.
+    // Each medium has the distance from the axis at which a ray touches the sphere,
+    // or just misses it if the index jumps, because a hit would then bend the ray.
     for (medium, touching) in [
         ("1.5", 1.00001),
         ("{ kind = \"luneburg\", c = 2 }", 1.0),

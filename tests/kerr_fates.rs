@@ -13,8 +13,8 @@ use crate::shaders::Random;
 use crate::spacetimes::typed;
 use crate::support::{gpu, scene};
 
-/// Rays on either side of the edge of a shadow, 2e-3 rad from it and with no object near the black hole: light that reaches the spherical
-/// photon orbit from outside is captured.
+/// Rays on either side of the edge of a shadow, 2e-3 rad from it and with no object near the black hole: light that reaches
+/// the spherical photon orbit from outside is captured.
 #[test]
 fn shadows_end_where_spherical_orbits_of_light_say() {
     let rows = rows(include_str!("tables/kerr_shadows.tsv"));
@@ -44,8 +44,8 @@ fn shadows_end_where_spherical_orbits_of_light_say() {
     }
 }
 
-/// Returns the ray that a distant camera at this inclination would see at the height β and α to the side, traced from 30 M. The light has
-/// L/E = ξ = −α sin i and Carter's Q/E² = η, which Newton's method solves for.
+/// Returns the ray that a distant camera at this inclination would see at the height β and α to the side, traced from 30 M.
+/// The light has L/E = ξ = −α sin i and Carter's Q/E² = η, which Newton's method solves for.
 fn light_seen_at(hole: &KerrNewman, inclination: f64, [alpha, beta]: [f64; 2]) -> [f64; 6] {
     let (sin, cos) = inclination.to_radians().sin_cos();
     let (side, up) = (DVec3::Y, DVec3::new(-cos, 0.0, sin));
@@ -119,9 +119,9 @@ fn critical_curves_are_where_closed_forms_say() {
     }
 }
 
-/// Returns the status of light by its radial potential R = (r² + a² − aξ)² − Δ(η + (ξ−a)²). Inward light is captured if R has no root on
-/// its path, outward light escapes if R has none there, and light without positive energy comes from the black hole. Returns `None` within
-/// 10⁻⁴ of the critical curve, which is about 5 M wide: R over twice its slope by ξ and √η is the distance from it.
+/// Returns the status of light by its radial potential R = (r² + a² − aξ)² − Δ(η + (ξ−a)²). Inward light is captured if R has no
+/// root on its path, outward light escapes if R has none there, and light without positive energy comes from the black hole. Returns
+/// `None` within 10⁻⁴ of the critical curve, which is about 5 M wide: R over twice its slope by ξ and √η is the distance from it.
 pub fn fate(hole: &KerrNewman, x: DVec3, v: DVec3) -> Option<Status> {
     let (kept, here) = (hole.invariants(x, v), hole.at(x).r);
     let [_, momentum, carter] = kept[..] else { return Some(Status::Captured) };
@@ -186,8 +186,9 @@ fn light_without_energy_comes_from_the_horizon() {
     }
 }
 
-/// Returns `true` if no light, or light from below r₊, arrives along this inward ray. The least value of its radial potential R = (r² + a²
-/// − aξ)² − Δχ between it and the horizon is then positive. It is zero for a spherical photon orbit, on the closed curve of the shadow.
+/// Returns `true` if no light, or light from below r₊, arrives along this inward ray. The
+/// least value of its radial potential R = (r² + a² − aξ)² − Δχ between it and the horizon is
+/// then positive. It is zero for a spherical photon orbit, on the closed curve of the shadow.
 fn is_dark(hole: &KerrNewman, x: DVec3, v: DVec3) -> bool {
     let (kept, here) = (hole.invariants(x, v), hole.at(x).r);
     let [_, momentum, carter] = kept[..] else { return true };
@@ -206,9 +207,9 @@ fn is_dark(hole: &KerrNewman, x: DVec3, v: DVec3) -> bool {
     potential(least) > 0.0
 }
 
-/// The edges of shadows at 100 points each for seven observers: a ray 10⁻⁵ rad further in is captured, and one 10⁻⁵ rad further out
-/// escapes, also if photon orbits are very close to the horizon. At the greatest spin they are at the horizon, and the edge is known to
-/// 10⁻⁴ rad.
+/// The edges of shadows at 100 points each for seven observers: a ray 10⁻⁵ rad further in is
+/// captured, and one 10⁻⁵ rad further out escapes, also if photon orbits are very close to the
+/// horizon. At the greatest spin they are at the horizon, and the edge is known to 10⁻⁴ rad.
 #[test]
 fn shadows_have_sharp_edges_where_closed_curves_say() {
     let gpu = gpu();

@@ -41,8 +41,8 @@ fn traced<'l>(lenses: &[&'l Lens], rays: &str) -> Vec<(&'l Lens, Traced)> {
     ends
 }
 
-/// Checks that rays leave their object as in the table: within `floor` (of the radius of the bounding sphere, and in direction) plus
-/// `roundings` times the effect of one rounding.
+/// Checks that rays leave their object as in the table: within `floor` (of the radius of the bounding sphere, and in
+/// direction) plus `roundings` times the effect of one rounding.
 fn hold(lenses: &[&Lens], rays: &str, floor: f64, roundings: f64) {
     for (lens, end) in traced(lenses, rays) {
         let (x, d) = lens.end().expect("a ray that leaves");

@@ -72,7 +72,7 @@ fn alike(a: &[f64], b: &[f64], part: f64) -> f64 {
     same as f64 / a.len() as f64
 }
 
-/// In straight light the shooting method finds straight shadows and the inverse square.
+/// In straight light the shooting method finds straight shadows and inverse-square falloff.
 #[test]
 fn straight_light_is_shot_straight() {
     for falloff in ["none", "inverse-square"] {
@@ -101,8 +101,8 @@ fn both_ways_to_shoot_agree() {
     assert!(alike(&one, &straight, 2e-2) < 0.7);
 }
 
-/// Returns the directions at the light and at the position of the logarithmic spiral between two positions around the origin if n = k/r:
-/// the angle to the radius is constant. The spiral takes the short or the long way.
+/// Returns the directions at the light and at the position of the logarithmic spiral between two positions around the
+/// origin if n = k/r: the angle to the radius is constant. The spiral takes the short or the long way.
 fn spiral(light: DVec3, place: DVec3, long: bool) -> [DVec3; 2] {
     let (radial, at_place) = (light.normalize(), place.normalize());
     let normal = radial.cross(at_place).normalize() * if long { -1.0 } else { 1.0 };

@@ -136,8 +136,8 @@ fn is_read(words: &[String], later: &[Vec<String>]) -> bool {
     })
 }
 
-/// Runs every command of README and manual in the order of its page. The first render of each page runs at a small size, and so does a
-/// render whose files a later command reads. For all others the options are parsed and the scene is checked, with its changes.
+/// Runs every command of README and manual in the order of its page. The first render of each page runs at a small size, and so does
+/// a render whose files a later command reads. For all others the options are parsed and the scene is checked, with its changes.
 #[test]
 fn commands_run() {
     let cache = tempfile::tempdir().unwrap();

@@ -122,8 +122,8 @@ fn choices() -> Vec<ProgramOptions> {
     all
 }
 
-/// Checks every pass of the scene's program: nothing in it is unused, and its modules for steps, controls, memories, numbers and states are
-/// together exactly the needed ones.
+/// Checks every pass of the scene's program: nothing in it is unused, and its modules for steps, controls, memories,
+/// numbers and states are together exactly the needed ones.
 fn check(scene: &Scene, options: &ProgramOptions, needed: &str, at: &str) {
     let analysis = Analysis::of(scene);
     let features = Features::of(scene, options, &analysis);

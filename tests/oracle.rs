@@ -46,8 +46,8 @@ pub fn rows(table: &str) -> Vec<Vec<&str>> {
     table.lines().filter(|line| !line.starts_with('#')).map(|line| line.split('\t').collect()).collect()
 }
 
-/// RK4 at η = 0.03 has an error below that of float32. The bound is 2e-5, or 40 times the effect of one rounding of the input on the answer
-/// (a path has about 40 times as many roundings).
+/// RK4 at η = 0.03 has an error below that of float32. The bound is 2e-5, or 40 times the effect of one rounding of the
+/// input on the answer (a path has about 40 times as many roundings).
 #[test]
 fn rays_end_where_closed_forms_say() {
     let rows = rows(include_str!("tables/ends.tsv"));
@@ -75,8 +75,8 @@ fn rays_end_where_closed_forms_say() {
     }
 }
 
-/// Media that fill all space, with an embedded pair: bounds in 32 bits as above, and 1e-9 in 64. |v| = n holds at the ends with the
-/// accuracy of their positions.
+/// Media that fill all space, with an embedded pair: bounds in 32 bits as above,
+/// and 1e-9 in 64. |v| = n holds at the ends with the accuracy of their positions.
 #[test]
 fn rays_of_media_end_where_closed_forms_say() {
     let rows = rows(include_str!("tables/media.tsv"));

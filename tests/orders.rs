@@ -1,7 +1,7 @@
 //! Convergence of whole paths: the order of every method on several laws in 64 bits, and the limit by rounding in 32.
 //!
-//! The reference is a much finer solution by separate code on the CPU, in f64. A law whose device form had fewer digits than f64 would
-//! therefore be detected too.
+//! The reference is a much finer solution by separate code on the CPU, in f64. A law whose device form had fewer digits
+//! than f64 would therefore be detected too.
 
 use bentray::gpu::Gpu;
 use bentray::render::{RenderSettings, Status, Traced, trace};
@@ -145,8 +145,8 @@ fn fixed_steps_converge_by_their_order() {
 const EMBEDDED: [(&str, f64, [f64; 2]); 2] =
     [("bogacki-shampine", 3.0, [1e-6, 1e-8]), ("dormand-prince", 5.0, [1e-9, 1e-11])];
 
-/// The step size is that whose estimate equals the tolerance, h ∝ tolerance^(1/p), so that the error is proportional to the tolerance, and
-/// to steps^−p with the number of steps.
+/// The step size is that whose estimate equals the tolerance, h ∝ tolerance^(1/p), so that the error is proportional to the
+/// tolerance, and to steps^−p with the number of steps.
 #[test]
 fn embedded_pairs_converge_with_their_tolerance() {
     let gpu = gpu();
@@ -164,7 +164,7 @@ fn embedded_pairs_converge_with_their_tolerance() {
             println!("{}, {method}: tolerance^{fall:.2}, order {observed:.2}, {first} to {last}", law.name);
             assert!((fall - 1.0).abs() < 0.1, "{}, {method}: as tolerance^{fall}", law.name);
             assert!((observed - order).abs() < 0.1 * order, "{}, {method}: order {observed}", law.name);
-            // The accuracy that a ray is promised: the error is no larger than the tolerance allows over its length.
+            // The accuracy that a ray is promised: the error is within the tolerance times its length.
             assert!(runs.iter().all(|(tolerance, _, error)| error < &(100.0 * tolerance)), "{}, {method}", law.name);
         }
     }

@@ -58,8 +58,8 @@ fn distance(x: DVec3, (middle, half): &Cuboid) -> f64 {
     off.max(DVec3::ZERO).length() + off.max_element().min(0.0)
 }
 
-/// Returns the first box on the curve from `start`, and the point; `None` if the curve leaves the sphere or ends. Steps are as long as the
-/// nearest box allows, but at least 1e-9. Also returns the least distance to the other boxes.
+/// Returns the first box on the curve from `start`, and the point; `None` if the curve leaves the sphere or ends. Steps are
+/// as long as the nearest box allows, but at least 1e-9. Also returns the least distance to the other boxes.
 fn first_box(curve: Curve, fastest: f64, start: DVec3, all: &[Cuboid]) -> (Option<(usize, DVec3)>, f64) {
     let (mut t, mut passed) = (0.0, f64::INFINITY);
     loop {

@@ -155,7 +155,7 @@ fn every_schedule_gives_the_same_bits() {
     }
 }
 
-/// With a limit on scattering events the partial geometric sum remains, and the rest is counted.
+/// A limit on scattering events leaves a partial geometric sum, and the rest is counted.
 #[test]
 fn depth_cuts_paths() {
     let mut scene = scene(&furnace("kind = \"straight\"", "[0.3, 0.1, 0]", ""));

@@ -35,8 +35,8 @@ fn state_on_the_device_is_small() {
         let most = if scene.rays.max_parameter.is_some() { 104 + 2 * 16 } else { 104 };
         assert!(plain <= most, "{}: {plain} bytes per pixel", path.display());
         let layered = bytes(&scene, &ProgramOptions { layers: Layer::ALL.to_vec(), ..fused() });
-        // Depth, segments, object, status, steps and redshift at 4 bytes, two vectors at 12; the summed steps, rejections and lengths; and
-        // up to 12 bytes of padding before each vector and at the end.
+        // Depth, segments, object, status, steps and redshift at 4 bytes, two vectors at 12; the summed steps, rejections
+        // and lengths; and up to 12 bytes of padding before each vector and at the end.
         assert!(layered - plain <= 6 * 4 + 2 * 12 + 3 * 4 + 3 * 12, "{}: {layered}", path.display());
         scene.rays.max_segments = 100_000;
         assert_eq!(bytes(&scene, &fused()), plain);
@@ -158,8 +158,8 @@ fn samples_converge() {
     assert!(error(&more) < 0.7 * error(&few), "{} against {}", error(&more), error(&few));
 }
 
-/// For a static observer at r = 20 the shadow of a black hole has the radius of the closed form, sin θ = 3√3 M √(1 − 2M/r)/r, to within a
-/// pixel.
+/// For a static observer at r = 20 the shadow of a black hole has the radius of
+/// the closed form, sin θ = 3√3 M √(1 − 2M/r)/r, to within a pixel.
 #[test]
 fn the_shadow_has_its_size() {
     for (frame, sin2) in [
@@ -231,8 +231,8 @@ fn cylinders_and_disks_are_where_they_are() {
     assert!(off <= 3, "{off} pixels differ");
 }
 
-/// The first image of the README is the one that `make render` makes. Small copies are compared in sRGB values, whose steps are about
-/// equally visible, with a tolerance for the noise of the samples.
+/// The first image of the README is the one that `make render` makes. Small copies are compared in sRGB values, whose steps
+/// are about equally visible, with a tolerance for the noise of the samples.
 #[test]
 fn the_readme_shows_what_is_rendered() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));

@@ -38,7 +38,7 @@ fn ball(keys: &[&str]) -> Scene {
     Scene::parse(BALL, "test.toml".as_ref(), &overrides).unwrap()
 }
 
-/// Returns the fraction of the picture that is done while it is rendered.
+/// Returns the fraction of the image that is done while it is rendered.
 fn rendered(progress: &Progress) -> f64 {
     let state = progress.state().unwrap();
     assert_eq!(state.words, "rendering");

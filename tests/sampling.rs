@@ -82,8 +82,8 @@ fn with_layers(layers: &[Layer]) -> RenderSettings {
 
 /// Returns the number of rays of each pixel, and the totals.
 fn counts(picture: &Rendering) -> (&[u32], Adaptive) {
-    let Some(Plane::Id(samples)) = picture.band.layer(Layer::Samples) else { panic!("no layer of samples") };
-    (samples, picture.totals.adaptive.expect("an adaptive picture"))
+    let Some(Plane::Id(samples)) = picture.band.layer(Layer::Samples) else { panic!("no sample layer") };
+    (samples, picture.totals.adaptive.expect("an adaptive image"))
 }
 
 /// Schedules with and without masks, and a fused pass for every two segments, give bit-identical results.
@@ -180,8 +180,8 @@ fn a_flat_picture_takes_the_corners_alone() {
     );
 }
 
-/// Only pixels with corners on both sides of the ball's outline take more samples, and the image is as good as one with 16 samples
-/// everywhere.
+/// Only pixels with corners on both sides of the ball's outline take more
+/// samples, and the image is as good as one with 16 samples everywhere.
 #[test]
 fn an_edge_is_refined_and_nothing_else() {
     let adaptive = scene(BALL);

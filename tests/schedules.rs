@@ -59,7 +59,7 @@ fn assert_same(scene: &Path, variants: &[&[&str]], more: &[&str]) {
 #[test]
 fn shipped_scenes_do_not_depend_on_the_schedule() {
     for scene in shipped_scenes() {
-        // A search for the method would take longer than the pictures.
+        // A search for the method would take longer than the images.
         let straight = scene.to_string_lossy().contains("straight");
         let method: &[&str] = if straight { &[] } else { &["--set", "rays.method=rk4"] };
         assert_same(&scene, &SCHEDULES, &[&SMALL, method].concat());
@@ -172,8 +172,8 @@ fn hole(folder: &Path) -> PathBuf {
     path
 }
 
-/// The memory of controls (an error, a rate that is evaluated again), steps by acceleration, by curvature and over chords, and all of this
-/// in 64 bits, where buffers store the state. (With an even number of steps, which end in the third slot.)
+/// The memory of controls (an error, a rate that is evaluated again), steps by acceleration, by curvature and over chords,
+/// and all of this in 64 bits, where buffers store the state. (With an even number of steps, which end in the third slot.)
 #[test]
 fn what_is_kept_between_passes_is_all_that_matters() {
     let folder = tempfile::tempdir().unwrap();
@@ -217,8 +217,8 @@ fn cameras_do_not_depend_on_the_schedule() {
     }
 }
 
-/// Paths of more steps than a pass has loop iterations: if `whole` cannot finish them `fused` continues, tile by tile, and nothing is
-/// counted twice.
+/// Paths of more steps than a pass has loop iterations: if `whole` cannot
+/// finish them `fused` continues, tile by tile, and nothing is counted twice.
 #[test]
 fn what_outlives_a_pass_is_followed_on() {
     let gpu = gpu();
@@ -242,7 +242,7 @@ fn what_outlives_a_pass_is_followed_on() {
     renderer.retune(scene.rays.control, scene.rays.max_segments).unwrap();
     let retuned = renderer.render().unwrap();
     for picture in [whole, again, retuned] {
-        assert!(picture.band == fused.band, "the pictures differ");
+        assert!(picture.band == fused.band, "the images differ");
         let counts = |r: &Rendering| (r.totals.rays, r.totals.steps, r.totals.segments, r.totals.by_status.clone());
         assert_eq!(counts(&picture), counts(&fused));
     }
@@ -303,8 +303,8 @@ fn ends(precision: &str) -> (Vec<u32>, Vec<DVec3>, Rendering) {
     (statuses.clone(), places, picture)
 }
 
-/// The loss of 16 bits is visible: nearly all rays have the correct status, but other ends, by a few 2⁻¹¹ of the bounding sphere; 32 bits
-/// lose thousands of times less.
+/// The loss of 16 bits is visible: nearly all rays have the correct status, but other ends, by a few 2⁻¹¹ of the bounding
+/// sphere; 32 bits lose thousands of times less.
 #[test]
 fn precisions_differ_by_their_bits() {
     let (truth, places, exact) = ends("f64");

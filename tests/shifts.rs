@@ -23,8 +23,8 @@ pub fn shifts(picture: &Rendering) -> &[f32] {
     }
 }
 
-/// The sky as a boosted observer with speed 0.6 sees it in flat space, by the Doppler formula, and as a static observer near a black hole
-/// sees it: brighter by g⁴.
+/// The sky as a boosted observer with speed 0.6 sees it in flat space, by the Doppler formula, and as a static observer
+/// near a black hole sees it: brighter by g⁴.
 #[test]
 fn the_sky_is_as_bright_as_its_shift() {
     let flat = "kind = \"metric\"\nline_element = \"-dt^2 + dx^2 + dy^2 + dz^2\"\nscale = \"9\"";
@@ -83,8 +83,8 @@ fn light_is_shifted_as_clocks_and_speeds_say() {
     }
 }
 
-/// Under laws that depend on t a ray carries its momentum: the redshift between static positions agrees with series of 34 and 48 digits,
-/// and is equal in all schedules.
+/// Under laws that depend on t a ray carries its momentum: the redshift between static positions agrees with series of 34
+/// and 48 digits, and is equal in all schedules.
 #[test]
 fn light_shifts_in_time_as_series_say() {
     for row in rows(include_str!("tables/shifts_in_time.tsv")) {

@@ -27,8 +27,8 @@ pub fn typed(law: &str) -> String {
     )
 }
 
-/// Compares rays with a table: in 32 bits within 2e-5 or 40 times the effect of one rounding of the input, in 64 within 1e-9; in 32 bits
-/// for a displaced black hole with another spin axis, and by its line element. Constants of motion are as accurate as the end.
+/// Compares rays with a table: in 32 bits within 2e-5 or 40 times the effect of one rounding of the input, in 64 within 1e-9; in
+/// 32 bits for a displaced black hole with another spin axis, and by its line element. Constants of motion are as accurate as the end.
 #[test]
 fn rays_round_spinning_holes_end_where_series_say() {
     let rows = rows(include_str!("tables/kerr_newman.tsv"));
@@ -116,8 +116,8 @@ fn without_spin_and_charge_it_is_schwarzschilds() {
     }
 }
 
-/// Checks the directions that an observer sees as right, up and forward. The visible light goes into the past, is null and has the speed of
-/// `law_start`.
+/// Checks the directions that an observer sees as right, up and forward. The
+/// visible light goes into the past, is null and has the speed of `law_start`.
 #[test]
 fn observers_have_the_axes_of_their_four_velocities() {
     let four = |text: &str| DVec4::from_slice(&text.split(' ').map(|n| n.parse().unwrap()).collect::<Vec<f64>>());
@@ -157,8 +157,8 @@ fn observers_have_the_axes_of_their_four_velocities() {
     }
 }
 
-/// Separated orbits end like those of general methods, also in bounding spheres that are off-center and on surfaces near the black hole.
-/// Their ends agree, except for a few rays so close to photon orbits that 32 bits separate them.
+/// Separated orbits end like those of general methods, also in bounding spheres that are off-center and on surfaces near
+/// the black hole. Their ends agree, except for a few rays so close to photon orbits that 32 bits separate them.
 #[test]
 fn separated_orbits_end_where_others_do() {
     let gpu = gpu();
@@ -204,8 +204,8 @@ fn separated_orbits_end_where_others_do() {
     }
 }
 
-/// Without objects one segment skips many steps. Paths to be drawn are arcs throughout, also if frame dragging turns them near a horizon,
-/// and they end like their rays.
+/// Without objects one segment skips many steps. Paths to be drawn are arcs throughout, also if frame dragging turns them
+/// near a horizon, and they end like their rays.
 #[test]
 fn paths_to_be_drawn_are_arcs() {
     let gpu = gpu();

@@ -53,8 +53,8 @@ fn a_ball_covers_its_disk() {
                 assert!((channel[i] - light * covered).abs() <= 1e-5, "{x} {y}: {} of {covered}", channel[i]);
             }
         }
-        // The edge cuts about 50 pixels, whose samples are each wrong by at most half: with stratified samples the error of the sum is less
-        // than one pixel in 201.
+        // The edge cuts about 50 pixels, whose samples are each wrong by at most half:
+        // with stratified samples the error of the sum is less than one pixel in 201.
         let area: f64 = alpha.iter().map(|x| f64::from(*x)).sum::<f64>() / 16.0;
         assert!((area - std::f64::consts::PI).abs() < 0.06, "{rays} {adaptive:?}: {area}");
     }

@@ -98,8 +98,8 @@ fn passing_light_is_shifted_by_its_speed() {
     assert!((found / told - 1.0).abs() < 1e-5, "{found} for {told}");
 }
 
-/// Around a rotating black hole a small orbiting sphere is met at a ray's crossing of the equator if both arrive together; its redshift
-/// agrees with series. At another time it is not met there.
+/// Around a rotating black hole a small orbiting sphere is met at a ray's crossing of the equator if both arrive together;
+/// its redshift agrees with series. At another time it is not met there.
 #[test]
 fn orbiting_spheres_are_met_in_time() {
     for row in rows(include_str!("tables/disc_crossings.tsv")) {
@@ -151,8 +151,8 @@ fn orbiting_spheres_are_met_in_time() {
     }
 }
 
-/// At another time an orbiting object is at its rotated position, and an object at rest on its orbit is where it was; images are identical
-/// in all schedules, with every structure.
+/// At another time an orbiting object is at its rotated position, and an object at rest on its orbit is where it was;
+/// images are identical in all schedules, with every structure.
 #[test]
 fn moving_objects_are_the_same_in_all_schedules() {
     let text = |time: f64, turned: f64| {

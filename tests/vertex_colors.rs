@@ -98,8 +98,8 @@ const EMISSIVE: &str = "materials.m = { kind = \"emissive\", color = { vertex_co
 const U: f64 = 1.0 / 16_777_216.0;
 /// A color is a sum of three products of rounded numbers, which is the only error in 64 bits, because colors remain in 32.
 const DOUBLE: f64 = 6.0 * U;
-/// In 32 bits a position 20 from the camera has four roundings of that, and the color changes by at most √(0.1² + 0.25²) per unit of the
-/// cube, which is at least 1.8 in the scene.
+/// In 32 bits a position 20 from the camera has four roundings of that, and the color changes by at most √(0.1² + 0.25²)
+/// per unit of the cube, which is at least 1.8 in the scene.
 const SINGLE: f64 = 4.0 * 20.0 * U * 0.27 / 1.8 + DOUBLE;
 
 #[test]

@@ -23,8 +23,8 @@ impl Bubble {
         ((out - back) / whole, self.sigma * (back * back - out * out) / whole)
     }
 
-    /// Returns the rates of the position in the bubble's plane, (x − vt, y), and of the wave vector: the Hamiltonian equations of H = |p| +
-    /// v f pₓ, which is `−p_t` of the light.
+    /// Returns the rates of the position in the bubble's plane, (x − vt, y), and of the wave vector: the Hamiltonian
+    /// equations of H = |p| + v f pₓ, which is `−p_t` of the light.
     fn rates(&self, [x, y, px, py]: [f64; 4]) -> [f64; 4] {
         let (s, p) = (x.hypot(y), px.hypot(py));
         let (shape, slope) = self.shape(s);
@@ -32,9 +32,9 @@ impl Bubble {
         [px / p - (1.0 - shape) * SPEED, py / p, pull * x, pull * y]
     }
 
-    /// Returns the direction of the star that an observer near the center sees at `seen`, both in radians from straight ahead, and the
-    /// energy of its light there divided by that outside. Integrates backward along the ray by the classical Runge–Kutta method, whose
-    /// error at this step is below 1e-8.
+    /// Returns the direction of the star that an observer near the center sees at `seen`, both in radians from straight
+    /// ahead, and the energy of its light there divided by that outside. Integrates backward along the ray by the classical
+    /// Runge–Kutta method, whose error at this step is below 1e-8.
     fn star(&self, seen: f64) -> (f64, f64) {
         let step = -0.02 / self.sigma;
         let mut at = [0.01, 0.0, -seen.cos(), -seen.sin()];

@@ -20,8 +20,8 @@ fn square(law: &dyn Law, event: &Event) -> f64 {
     event.u.dot(law.metric(event.x, event.t).unwrap() * event.u)
 }
 
-/// A fall from rest far away to the center takes the proper time √(2/9M) r^(3/2) in any coordinates; it passes a horizon in coordinates
-/// that extend through it.
+/// A fall from rest far away to the center takes the proper time √(2/9M) r^(3/2)
+/// in any coordinates; it passes a horizon in coordinates that extend through it.
 #[test]
 fn who_falls_from_rest_takes_as_long_as_closed_forms_say() {
     let spent = |from: f64, to: f64| (from.powf(1.5) - to.powf(1.5)) * (2.0 / 9.0 / 1.5_f64).sqrt();
@@ -45,8 +45,8 @@ fn who_falls_from_rest_takes_as_long_as_closed_forms_say() {
     assert!((end - (2.0_f64 / 9.0 * 512.0).sqrt()).abs() < 0.01, "{end}");
 }
 
-/// Circular orbits stay circular. On any path around a rotating black hole energy, angular momentum and the Carter constant are conserved,
-/// also by its line element.
+/// Circular orbits stay circular. On any path around a rotating black hole energy,
+/// angular momentum and the Carter constant are conserved, also by its line element.
 #[test]
 fn who_is_left_to_himself_keeps_what_light_keeps() {
     for text in [

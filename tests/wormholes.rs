@@ -31,8 +31,8 @@ fn written(law: &str) -> String {
     )
 }
 
-/// Compares rays with a table: in 32 bits within 2e-5 or 40 times the effect of one rounding of the input, in 64 within 1e-9; also for
-/// displaced mouths and written line elements. Speed and L/E are conserved on both sides, with the accuracy of the end.
+/// Compares rays with a table: in 32 bits within 2e-5 or 40 times the effect of one rounding of the input, in 64 within 1e-9;
+/// also for displaced mouths and written line elements. Speed and L/E are conserved on both sides, with the accuracy of the end.
 #[test]
 fn rays_end_on_the_side_and_where_quadratures_say() {
     let rows = rows(include_str!("tables/wormholes.tsv"));
@@ -82,8 +82,8 @@ fn rays_end_on_the_side_and_where_quadratures_say() {
     }
 }
 
-/// Around an Ellis wormhole the angle from infinity to infinity is twice the complete elliptic integral K(ρ₀/b), and through it (2b/ρ₀)
-/// K(b/ρ₀). From R it is less by b/R at each end.
+/// Around an Ellis wormhole the angle from infinity to infinity is twice the complete elliptic integral K(ρ₀/b), and
+/// through it (2b/ρ₀) K(b/ρ₀). From R it is less by b/R at each end.
 #[test]
 fn angles_round_ellis_wormhole_are_elliptic_integrals() {
     let far = 1e4;
@@ -158,8 +158,8 @@ fn every_ray_comes_out_on_the_right_side() {
     }
 }
 
-/// A pixel that looks away from the mouth sees the sky of this side, and one that looks through it sees the sky or objects of the other
-/// side, also in path tracing.
+/// A pixel that looks away from the mouth sees the sky of this side, and one that
+/// looks through it sees the sky or objects of the other side, also in path tracing.
 #[test]
 fn each_side_has_its_own_sky_and_objects() {
     let gpu = gpu();

@@ -63,8 +63,8 @@ fn a_fisheye_as_a_formula_has_circles() {
     }
 }
 
-/// If a formula has no value, or none above 0, rays fail by every method, and none ends otherwise. A ray so close to such a point that no
-/// step is short enough stalls.
+/// If a formula has no value, or none above 0, rays fail by every method, and none ends otherwise. A ray so close to such a
+/// point that no step is short enough stalls.
 #[test]
 fn rays_fail_where_there_is_no_index() {
     let methods = [
@@ -101,8 +101,8 @@ fn rays_fail_where_there_is_no_index() {
     }
 }
 
-/// A smooth index and its samples: the slopes of the spline are central differences, so that path errors are of second order in the cell
-/// size, or less if errors of both signs cancel.
+/// A smooth index and its samples: the slopes of the spline are central differences, so that path errors are of second
+/// order in the cell size, or less if errors of both signs cancel.
 #[test]
 fn samples_of_an_index_bend_as_it_does() {
     let folder = tempfile::tempdir().unwrap();

@@ -166,12 +166,12 @@ fn every_part_is_linked() {
         let whole = BEGINNING.to_owned() + &text.replace("'F'", "'data/stars.png'");
         let scene = Scene::parse(&whole, &root.join("scenes/test.toml"), &[]);
         let own = reached(&scene.unwrap_or_else(|error| panic!("{error}")));
-        assert!(!own.is_subset(&linked), "all of this is linked by others:\n{text}");
+        assert!(!own.is_subset(&linked), "other scenes link all of this:\n{text}");
         linked.extend(own);
     }
     let all = all_parts().into_iter().map(|part| part.file.trim_end_matches(".wgsl"));
     let others: Vec<&str> = all.filter(|part| !linked.contains(*part)).collect();
-    assert_eq!(others, TESTED.map(|(part, _)| part), "parts that no scene links");
+    assert_eq!(others, TESTED.map(|(part, _)| part), "modules that no scene links");
     let tests: String =
         files(&root.join("tests"), "rs").iter().map(|path| std::fs::read_to_string(path).unwrap()).collect();
     for (part, test) in TESTED {

@@ -41,7 +41,7 @@ fn mistakes_of(result: Result<Scene, SceneError>) -> Vec<Diagnostic> {
     match result {
         Err(SceneError::Diagnostics(mistakes)) => mistakes,
         Err(other) => panic!("{other}"),
-        Ok(_) => panic!("no mistake found"),
+        Ok(_) => panic!("no error found"),
     }
 }
 

@@ -3,11 +3,11 @@
 use super::tables::{HEADER, Rows, table};
 use super::{BALL, Folder};
 
-/// Luneburg's lens, whose ball is all that there is: rays that enter it in parallel meet where the middle one leaves it.
+/// A Luneburg lens that fills the bounding sphere: parallel rays meet where the middle one leaves it.
 const LENS: &str = "[law]\nkind = \"medium\"\nindex = { kind = \"luneburg\", radius = 1, c = 2 }\n\
                     [rays]\nmethod = \"rk4\"\nbounding_sphere = { radius = 1 }\n";
 
-/// The number after a text.
+/// Returns the number after a text.
 fn number_after(text: &str, before: &str) -> f64 {
     let rest = text.split(before).nth(1).unwrap_or_else(|| panic!("no `{before}` in {text}"));
     let number: String = rest.chars().take_while(|c| c.is_ascii_digit() || "+-.e".contains(*c)).collect();
@@ -22,7 +22,7 @@ fn fans_and_bundles_are_followed_like_rays_of_a_file() {
         "--bundle from=[5,0,0],toward=[0,0,0],width=4,count=3 --fan from=[0,5,0],toward=[0,0,0],spread=90,count=2";
     folder.run(&format!("trace scene.toml --rays rays.csv -o out.csv {more}")).succeeds();
     let rows = Rows::of(&folder.text("out.csv"), HEADER);
-    // The file's ray, the fan's, the bundle's.
+    // The ray of the file, two of the fan, and three of the bundle.
     assert_eq!(rows.column("status"), ["hit", "escaped", "escaped", "escaped", "hit", "escaped"]);
     let [x, y, z, ..] = rows.numbers(4);
     assert!(f64::from(x - 1.0).abs() < 1e-6 && y == 0.0 && z == 0.0);
@@ -40,7 +40,7 @@ fn a_diagram_needs_no_table() {
     for text in ["x (scene units)", "y (scene units)", ">surface<", ">hit<", ">escaped<"] {
         assert!(svg.contains(&text.replace(['>', '<'], "")), "{text}");
     }
-    // The frame is the ball's, and the bound beyond it.
+    // The frame shows the ball, and the bounding sphere is outside.
     assert!(!svg.contains("bound"));
     folder
         .run(&format!("trace scene.toml {rays} --plot b.svg --view all --cut y=0.5"))
@@ -73,7 +73,7 @@ fn a_lens_has_its_focus_where_it_should() {
 #[test]
 fn windings_are_counted() {
     let folder = Folder::with(BALL);
-    // Past the ball at a distance of 2, from (−3, 2) to the bound at (√96, 2): seen from the origin, counter-clockwise downwards.
+    // Past the ball at a distance of 2, from (−3, 2) to the bounding sphere at (√96, 2): clockwise as seen from the origin.
     let ran = folder.run("trace scene.toml --bundle from=[-3,2,0],toward=[0,2,0],width=1,count=1 --windings [0,0,0]");
     let ran = ran.succeeds();
     let turns = -(2.0_f64.atan2(-3.0) - 2.0_f64.atan2(96.0_f64.sqrt())) / std::f64::consts::TAU;

@@ -7,8 +7,8 @@ use image::{ImageFormat, Rgb, RgbImage};
 
 use super::Folder;
 
-/// Returns a file with a sign of 2 × 2 units, which shows an image of four colors and needs no light, and with a gray wall at its
-/// right, 1 unit behind it and lit by a light of 4π candela in front. The camera is 5 units in front of the sign.
+/// Returns a file with a sign of 2 × 2 units, which shows an image of four colors and needs no light, and with a gray wall
+/// at its right, 1 unit behind it and lit by a light of 4π candela in front. The camera is 5 units in front of the sign.
 fn file() -> Vec<u8> {
     let mut png = Cursor::new(Vec::new());
     let colors = [[255, 0, 0], [0, 255, 0], [0, 0, 255], [255, 255, 255]];
@@ -80,8 +80,8 @@ fn a_file_becomes_a_scene_that_shows_it() {
             assert!((found - expected).abs() < 0.11, "{x} {y}: {found} {expected}");
         }
     }
-    // An intensity of 4 at a distance of 2 is 1, times the gray 0.5, plus a constant tenth of that. Half a pixel away the oblique light
-    // has the factor cos⁴.
+    // An intensity of 4 at a distance of 2 is 1, times the gray 0.5, plus a constant
+    // tenth of that. Half a pixel away the oblique light has the factor cos⁴.
     let wall = at(2.4, 0.0, -1.0);
     assert!(wall.iter().all(|value| (value - 0.55).abs() < 0.01), "{wall:?}");
     let scene = Scene::load(&folder.path("new.toml"), &[]).unwrap();

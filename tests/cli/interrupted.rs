@@ -23,8 +23,8 @@ impl Drop for Killed {
 const LONG: &str =
     "render scene.toml -o a.png -o a.exr --size 800x600 --samples 4096 --set law.kind=schwarzschild --set law.mass=0.1";
 
-/// Returns a command that ignores these signals and handles all others by default, whatever started the tests: `nohup` and a shell's
-/// `&` make programs ignore signals.
+/// Returns a command that ignores these signals and handles all others by default, whatever started the tests: `nohup` and
+/// a shell's `&` make programs ignore signals.
 fn with_signals(folder: &Folder, ignored: &str, arguments: &str) -> Command {
     let program = folder.command(arguments);
     let mut command = Command::new("env");
@@ -156,8 +156,7 @@ fn a_new_picture_takes_the_old_ones_place() {
     assert_eq!(folder.names(), ["a.png", "scene.toml"]);
 }
 
-/// A video that is killed at any moment has only complete frames, and the same command then makes the same file as an uninterrupted
-/// one.
+/// A video that is killed at any moment has only complete frames, and the same command then makes the same file as an uninterrupted one.
 #[test]
 fn a_film_that_is_killed_goes_on_to_the_same_bytes() {
     const FILM: &str =

@@ -201,7 +201,7 @@ fn a_farm_says_what_to_run_and_which_parts_are_done() {
         (&wrote["files"], &wrote["commands"]),
         (&files.to_vec().into(), &vec!["bash scene.farm/submit.sh"].into())
     );
-    assert!(!folder.text("scene.farm/parts.sh").contains("--json"), "a part has no reader");
+    assert!(!folder.text("scene.farm/parts.sh").contains("--json"), "nothing reads the output of a part");
     folder.run("render scene.toml -o {frame}.png --frames all --part 2/3").succeeds();
     folder.write("scene.farm/part-1.log", "error: no room\npart failed: exit code 1\n");
     folder.write("scene.farm/part-3.log", "device: x\n");

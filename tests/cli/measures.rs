@@ -127,8 +127,8 @@ fn a_decision_is_kept_and_changes_nothing() {
     assert!(folder.read("e.exr") == folder.read("a.exr"));
 }
 
-/// Close to the photon ring 32 bits do not resolve a hundredth of a pixel. The message reports this and the result with 64 bits, which
-/// are used if the precision is not specified.
+/// Close to the photon ring 32 bits do not resolve a hundredth of a pixel. The message reports this and the result with
+/// 64 bits, which are used if the precision is not specified.
 #[test]
 fn where_32_bits_do_not_suffice_64_are_named_or_taken() {
     let folder = Folder::with(

@@ -9,8 +9,8 @@ use super::{BALL, Folder};
 const HOLE: &str = "--set law.kind=schwarzschild --set rays.method=rk4 --set law.mass=0.2 \
                     --set objects.0.center=[1.5,0,0] --set camera.stereo={separation=0.1} --size 40x30 --samples 3";
 
-/// Overlapping parts of odd sizes, each with another schedule and another tile size, merge to the file of a single render: every layer
-/// is byte-identical.
+/// Overlapping parts of odd sizes, each with another schedule and another tile
+/// size, merge to the file of a single render: every layer is byte-identical.
 #[test]
 fn parts_by_any_schedule_make_the_whole_to_the_byte() {
     let folder = Folder::with(BALL);
@@ -93,8 +93,8 @@ fn parts_and_budgets_that_cannot_be_are_refused() {
     assert_eq!(folder.names(), ["scene.toml"]);
 }
 
-/// Equal parts of an image and of a video, rendered separately, give the result of a single render, whoever requested them and how
-/// often.
+/// Equal parts of an image and of a video, rendered separately, give the result
+/// of a single render, however they are requested and how often.
 #[test]
 fn equal_parts_make_the_whole_to_the_byte() {
     let folder = Folder::with(BALL);

@@ -19,7 +19,7 @@ fn pictures_say_their_noise() {
         .succeeds()
         .says(&["noise ", "% of the image's mean (median pixel "]);
     let bytes = std::fs::read(folder.path("out.exr")).unwrap();
-    assert!(bytes.windows(6).any(|name| name == b"error\0"), "no layer of errors");
+    assert!(bytes.windows(6).any(|name| name == b"error\0"), "no error layer");
     folder.run("render scene.toml -o one.png --samples 1").succeeds().says(&["noise unknown"]);
     let cut = folder.run("render scene.toml -o cut.png --set path_tracing.max_depth=0").succeeds();
     cut.says(&[" cut "]);

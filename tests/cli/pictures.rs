@@ -65,8 +65,8 @@ fn exposure_brightens_the_png_and_leaves_the_exr() {
     assert!(difference(&decoded(&folder, "a.png"), &twice, 255.0) <= 0.51);
 }
 
-/// The printed command reproduces a render, also if defaults would now differ: it names the method that was found, and renders in one
-/// step an image that was rendered in several.
+/// The printed command reproduces a render, also if defaults would now differ: it names the method that was found, and
+/// renders in one step an image that was rendered in several.
 #[test]
 fn a_render_says_what_repeats_it() {
     let again = |folder: &Folder, ran: &super::Ran| {

@@ -149,8 +149,8 @@ impl Drop for Slurm {
     }
 }
 
-/// Checks a video of 12 frames, and an image of 64 parts during which a node is lost: all parts are completed, and the result is
-/// byte-identical to that of one machine.
+/// Checks a video of 12 frames, and an image of 64 parts during which a node is lost: all parts are completed, and the
+/// result is byte-identical to that of one machine.
 #[test]
 #[ignore = "needs Slurm, and root for its daemons"]
 fn a_farm_that_loses_a_node_makes_what_one_machine_makes_with_slurm() {

@@ -264,7 +264,7 @@ fn nothing_comes_out_of_a_horizon() {
         let ran = folder.run(&format!("trace scene.toml --rays rays.csv -o path.csv --path {law}")).succeeds();
         assert_eq!(ran.err.lines().filter(|line| line.starts_with("warning")).count(), 0, "{}", ran.err);
         let paths = Rows::of(&folder.text("path.csv"), PATH_HEADER);
-        assert_eq!(paths.0.len(), rays.len(), "a path is its start");
+        assert_eq!(paths.0.len(), rays.len(), "a path consists of its start");
     }
 }
 

@@ -39,7 +39,7 @@ fn boxes_of_the_hierarchy_are_never_missed() {
         let [_, _, a, b] = input.map(wide);
         for (k, limit) in [(0, 1.0), (1, 0.25)] {
             let meets = slabs(lo, hi, a, b - a, limit);
-            assert!(!meets || got[k] == 1.0, "a box that is met before {limit} is missed: {input:?}");
+            assert!(!meets || got[k] == 1.0, "a box that is hit before {limit} is missed: {input:?}");
             met += u32::from(meets);
         }
         missed += u32::from(got.x == 0.0);

@@ -122,8 +122,8 @@ impl Ratio {
     }
 }
 
-/// Sine and cosine of quarter turns. Whole quarter turns are exact; the remainder, at most π/4, is rounded twice. A sine has two more
-/// roundings, and a cosine has two near 1.
+/// Sine and cosine of quarter turns. Whole quarter turns are exact; the remainder, at most π/4, is rounded twice. A sine
+/// has two more roundings, and a cosine has two near 1.
 #[test]
 fn quarter_turns() {
     let mut random = Random::new(142);
@@ -200,8 +200,8 @@ fn fisheye() {
                 let rho = p.x.hypot(p.y);
                 let angle = (rho * 0.5 * fov).to_radians();
                 let outwards = if rho > 0.0 { (p.x * right + p.y * up) / rho } else { DVec3::ZERO };
-                // ρ has an error of 3 U, and the scale and the product of the angle have one rounding each; the sum of the axes errs by 8
-                // U.
+                // ρ has an error of 3 U, and the scale and the product of the
+                // angle have one rounding each; the sum of the axes errs by 8 U.
                 let bound = 5.0 * u * angle + 8.0 * u;
                 errors.check(d, angle.cos() * forward + angle.sin() * outwards, bound, input);
                 if (rho - 1.0).abs() > 3.0 * u {
@@ -274,8 +274,8 @@ fn eyes() {
                     starts.check(joined3(&rows[..3]), position + offset, 4.0 * u, input);
                     let towards = position + reach * d - (position + offset);
                     let want = if part == "camera/eyes/parallel" { d } else { towards.normalize() };
-                    // The dot product errs by 3 U, relative to 1 and divided by `ahead`; the point errs by that and 4 U more of its
-                    // distance, of which at least 2 remains; normalizing errs by 4 U.
+                    // The dot product errs by 3 U, relative to 1 and divided by `ahead`; the point errs by that and 4 U
+                    // more of its distance, of which at least 2 remains; normalizing errs by 4 U.
                     let bound = (3.0 / ahead.abs().min(1.0) + 4.0) * u * reach / towards.length() + 4.0 * u;
                     directions.check(joined3(&rows[3..]), want, bound, input);
                 }

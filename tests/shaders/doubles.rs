@@ -1,8 +1,8 @@
-//! Tests the elementary functions of `real/f64.wgsl` against those of the standard library, which err by less than one unit in the last
-//! place (2.2e-16 of the result).
+//! Tests the elementary functions of `real/f64.wgsl` against those of the standard library, which err by less than one unit
+//! in the last place (2.2e-16 of the result).
 //!
-//! Each bound is the sum of one rounding of the last operation (1.1e-16), the rounding of the last term added, and the error of the
-//! standard library.
+//! Each bound is the sum of one rounding of the last operation (1.1e-16), the
+//! rounding of the last term added, and the error of the standard library.
 
 use glam::Vec4;
 
@@ -39,8 +39,8 @@ impl Worst {
     }
 }
 
-/// Evaluates a function of one number at each of the inputs, as (input, answer, expected answer). Both answers are scaled by the same power
-/// of two to fit into f32.
+/// Evaluates a function of one number at each of the inputs, as (input, answer, expected answer). Both answers are scaled
+/// by the same power of two to fit into f32.
 fn at_each(call: &str, inputs: &[f64], wanted: impl Fn(f64) -> f64) -> Vec<(f64, f64, f64)> {
     let scales: Vec<f32> = inputs.iter().map(|x| scale_of(wanted(*x))).collect();
     let rows: Vec<[Vec4; 2]> = inputs.iter().zip(&scales).map(|(x, s)| [split(*x), Vec4::splat(*s)]).collect();

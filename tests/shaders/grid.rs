@@ -72,8 +72,8 @@ fn places(seed: u64) -> Vec<DVec3> {
     all
 }
 
-/// Returns bounds on the errors of value and gradient (times the cell). Per axis the absolute weights sum to 1.25, their slopes to 2 and
-/// second derivatives to 10, for samples up to 2; each has about 24 roundings; a position errs by 4 U of its coordinates in cells.
+/// Returns bounds on the errors of value and gradient (times the cell). Per axis the absolute weights sum to 1.25, their slopes to 2
+/// and second derivatives to 10, for samples up to 2; each has about 24 roundings; a position errs by 4 U of its coordinates in cells.
 fn bounds(x: DVec3, u: f64) -> (f64, f64) {
     let moved = 4.0 * u * ((x.abs() + ORIGIN.abs()) / CELL + DVec3::splat(7.0)).max_element();
     let (weights, slopes) = (2.0 * 1.25_f64.powi(3), 2.0 * 2.0 * 1.25 * 1.25);

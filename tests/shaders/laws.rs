@@ -41,7 +41,7 @@ pub fn phases(seed: u64, places: [f64; 2], speeds: [f64; 2]) -> Vec<[Vec4; 2]> {
 pub fn keeps_phase(input: &[Vec4; 2], output: &[Vec4]) {
     assert_eq!(wide(output[0]), wide(input[1]), "dx = v");
     for (got, want) in output[2..6].iter().zip([input[0], input[1], input[0], input[1]]) {
-        assert_eq!(got.truncate(), want.truncate(), "start and settled take the phase as it is");
+        assert_eq!(got.truncate(), want.truncate(), "start and settled use the phase unchanged");
     }
 }
 
@@ -64,8 +64,8 @@ fn schwarzschild_path_form() {
         let r = x.length();
         let l = x.cross(v).length();
         let want = -3.0 * MASS * l * l / r.powi(5) * x;
-        // A component of x × v errs by 5 U |x| |v| (x − c rounds once, two products and their difference), so the vector by 9 U; its square
-        // doubles that. The powers of r and the products err by 20 U.
+        // A component of x × v errs by 5 U |x| |v| (x − c rounds once, two products and their difference), so the vector by
+        // 9 U; its square doubles that. The powers of r and the products err by 20 U.
         let cross = 9.0 * U * r * v.length();
         let bound = 3.0 * MASS / r.powi(4) * (2.0 * l * cross + cross * cross) + 20.0 * U * want.length();
         rates.check3(output[1], want, bound, input);

@@ -45,8 +45,8 @@ fn blinn_phong(k: usize, to_light: DVec3, normal: DVec3, view: DVec3) -> (f64, f
     (facing.max(0.0), highlight, cosine)
 }
 
-/// Returns a bound on the error of the highlight. The built-in pow is exp2 of a product with log2, whose relative error near 1 is 7e-5 on
-/// lavapipe, and the cosine errs by 8 U; the exponent multiplies both.
+/// Returns a bound on the error of the highlight. The built-in pow is exp2 of a product with log2, whose relative error
+/// near 1 is 7e-5 on lavapipe, and the cosine errs by 8 U; the exponent multiplies both.
 fn highlight_bound(k: usize, highlight: f64, cosine: f64) -> f64 {
     let cosine = cosine.clamp(1e-6, 1.0);
     highlight * SHININESS[k] * (8.0 * U * (1.0 + 1.0 / cosine) + 7e-5 * cosine.ln().abs()) + 1e-5 * highlight

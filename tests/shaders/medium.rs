@@ -93,9 +93,9 @@ fn gradient(x: DVec3) -> DVec3 {
 
 /// Returns bounds on the errors of the index and of its gradient at a distance r from the center.
 ///
-/// A lattice point errs by 8 U of its size (the product with the rotation, three terms). Along an axis the noise changes by at most 2 ·
-/// 15/8 per cell (three axes: 6.5), and that slope by 2 · 10/√3 and 4 · (15/8)² across (the norm of the Hessian: 45). The value is a sum of
-/// about 30 terms up to 8.
+/// A lattice point errs by 8 U of its size (the product with the rotation, three terms). Along an axis the noise changes by
+/// at most 2 · 15/8 per cell (three axes: 6.5), and that slope by 2 · 10/√3 and 4 · (15/8)² across (the norm of the
+/// Hessian: 45). The value is a sum of about 30 terms up to 8.
 fn bounds(r: f64) -> (f64, f64) {
     let (mut value, mut slope) = (4.0 * U, 1e-5);
     for j in 0..OCTAVES {

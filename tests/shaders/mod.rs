@@ -1,6 +1,6 @@
 //! Compares every shader function with an independent f64 form of it.
 //!
-//! Inputs are rounded to f32 before the f64 form sees them, and bounds on errors follow from rounding: an f32 operation errs by
+//! Inputs are rounded to f32 before the f64 form uses them, and bounds on errors follow from rounding: an f32 operation errs by
 //! at most U of its result, and where terms cancel the error is U of the *terms*. Each bound is a small count of operations
 //! times U times the size of the terms, written where it is used.
 

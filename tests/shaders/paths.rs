@@ -172,8 +172,8 @@ fn check_crossing(name: &str, sphere: f64, step: f64, inputs: &[[Vec4; 2]]) {
     let out = path_end(step).run::<2, 2>(&gpu(), PATH_END, inputs);
     for (input, output) in inputs.iter().zip(&out) {
         let fraction = f64::from(output[1].w);
-        // Newton's method stops when rounding determines the correction, of the position and of |x|. Some rays are nearly tangential, for
-        // which the secant's estimate alone would be far off.
+        // Newton's method stops when rounding determines the correction, of the position and of |x|. Some rays are nearly
+        // tangential, for which the secant's estimate alone would be far off.
         gaps.check(wide(output[0]).length() as f32, sphere, 16.0 * U * sphere, input);
         let end = rk4(path_rate, [wide(input[0]), wide(input[1])], fraction * step);
         let near = 60.0 * U * 3.0 / (0.5 * sphere).powi(2) * step * step;

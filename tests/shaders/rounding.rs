@@ -35,8 +35,8 @@ impl Vector for Rough {
         Self { value, off: self.off + sum.off + self.unit * value.length(), ..self }
     }
 
-    /// Returns h Σ a k. A factor is rounded once and its product once; n − 1 additions, in any order, each err by at most the sum of the
-    /// sizes of the terms; h may be a quotient (h/9) and is another factor.
+    /// Returns h Σ a k. A factor is rounded once and its product once; n − 1 additions, in any order, each err by at most
+    /// the sum of the sizes of the terms; h may be a quotient (h/9) and is another factor.
     fn sum(h: f64, terms: &[(f64, Self)]) -> Self {
         let unit = terms[0].1.unit;
         let size: f64 = terms.iter().map(|(a, k)| a.abs() * k.value.length()).sum();

@@ -74,8 +74,8 @@ fn sobol(index: u32) -> [u32; 2] {
     [index.reverse_bits(), (0..32).map(|row| second(row) << (31 - row)).sum()]
 }
 
-/// Returns Owen scrambling bit by bit: the Laine–Karras hash carries only upward, so that on reversed bits the flip of each bit depends
-/// only on the bits above it.
+/// Returns Owen scrambling bit by bit: the Laine–Karras hash carries only upward,
+/// so that on reversed bits the flip of each bit depends only on the bits above it.
 fn scrambled(x: u32, seed: u32) -> u32 {
     let hash = |v: u32| {
         let v = v ^ v.wrapping_mul(0x3d20_adea);
@@ -95,8 +95,8 @@ fn hashed(seed: u32) -> u32 {
     (word >> 22) ^ word
 }
 
-/// Every prefix of 2^k progressive samples has one sample in each of the 2^k boxes of any shape with sides that are powers of two, and each
-/// agrees with the sequence.
+/// Every prefix of 2^k progressive samples has one sample in each of the 2^k boxes of any shape with sides that are powers
+/// of two, and each agrees with the sequence.
 #[test]
 fn progressive_samples() {
     const COUNT: u32 = 64;

@@ -10,12 +10,12 @@ use crate::support::{gpu, probe::Probe};
 
 const SCENE: &str = "[law]\nkind = \"sources\"\n[[law.sources]]\nposition = [0, 0, 0]\nstrength = 1\n[rays]\nbounding_sphere = { radius = 50 }\n";
 
-/// A path: its unit direction at the light and at the position, the spread there, and a condition number of its directions: the change of
-/// its end in the plane per angle at the light, and its speed at the end.
+/// A path: its unit direction at the light and at the position, the spread there, and a condition number of its directions:
+/// the change of its end in the plane per angle at the light, and its speed at the end.
 type Conic = (DVec3, DVec3, f64, f64);
 
-/// Returns u(φ) of the conic that leaves r = 1/u₀ with cot ψ = c, ψ from outward, |v| = 1: M/h² + (u₀ − M/h²) cos φ − u₀ c sin φ with 1/h²
-/// = u₀²(1 + c²).
+/// Returns u(φ) of the conic that leaves r = 1/u₀ with cot ψ = c, ψ from outward,
+/// |v| = 1: M/h² + (u₀ − M/h²) cos φ − u₀ c sin φ with 1/h² = u₀²(1 + c²).
 fn reciprocal(m: f64, near: f64, c: f64, angle: f64) -> f64 {
     let pull = m * near * near * (1.0 + c * c);
     pull + (near - pull) * angle.cos() - near * c * angle.sin()

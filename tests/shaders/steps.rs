@@ -106,8 +106,8 @@ fn lorenz(parts: &'static [&'static str]) -> Law {
     Law { parts, binding: "flow", record }
 }
 
-/// Checks that every output of every method is within its rounding error: in f32, and in f64, where a wrong digit of a coefficient would be
-/// visible.
+/// Checks that every output of every method is within its rounding error: in
+/// f32, and in f64, where a wrong digit of a coefficient would be visible.
 #[test]
 fn one_step_of_each_method() {
     let mut random = Random::new(51);
@@ -155,8 +155,8 @@ fn exact(rate: fn(Phase) -> Phase, start: Phase, h: f64) -> Phase {
     (0..50).fold(start, |p, _| DORMAND_PRINCE.end(rate, p, h / 50.0))
 }
 
-/// The error of a method of order p in one step is proportional to h^(p + 1), and so is the error estimate of a pair for its lower order:
-/// in f64, over sizes for which truncation is far above rounding.
+/// The error of a method of order p in one step is proportional to h^(p + 1), and so is the error estimate of a pair for
+/// its lower order: in f64, over sizes for which truncation is far above rounding.
 #[test]
 fn local_errors_fall_as_their_order_says() {
     let mut random = Random::new(52);

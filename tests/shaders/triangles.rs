@@ -145,8 +145,8 @@ impl Mesh {
             .numbers("mesh", &self.words())
     }
 
-    /// Returns the data of the mesh. Triangle k belongs to object k mod 3, with material 7 and so on; the color of a vertex is its
-    /// position.
+    /// Returns the data of the mesh. Triangle k belongs to object k mod 3, with
+    /// material 7 and so on; the color of a vertex is its position.
     fn words(&self) -> Vec<u32> {
         let [triangle, vertex] = [("shape/triangle", "TRIANGLE_WORDS"), ("surface/vertex_colors", "COLOR_WORD")]
             .map(|(part, name)| constant(part, name) as u32);
@@ -164,8 +164,8 @@ impl Mesh {
     }
 }
 
-/// Returns the fraction at which the piece hits the triangle, with its edges moved outward by `moved` and its plane by `lift`, in units of
-/// rounding errors: the volume of an edge errs by 9 U |d| |p| |q|, the height of the plane by 8 U of |edges| |p|.
+/// Returns the fraction at which the piece hits the triangle, with its edges moved outward by `moved` and its plane by `lift`,
+/// in units of rounding errors: the volume of an edge errs by 9 U |d| |p| |q|, the height of the plane by 8 U of |edges| |p|.
 fn fraction(t: &[Vec3; 3], a: DVec3, d: DVec3, moved: f64, eta: f64) -> Option<f64> {
     let [p, q, r] = t.map(|x| x.as_dvec3() - a);
     let side = |p: DVec3, q: DVec3| (d.dot(p.cross(q)), moved * 9.0 * U * d.length() * p.length() * q.length());

@@ -14,8 +14,8 @@ use bentray::program::{Program, ProgramOptions};
 use bentray::render::Rendering;
 use bentray::scene::Scene;
 
-/// Opens the default device of `render`. Without a device the tests fail with a message that names the package to install; tests in f64
-/// fail on a device that does not support it.
+/// Opens the default device of `render`. Without a device the tests fail with a message that names the package to install;
+/// tests in f64 fail on a device that does not support it.
 pub fn open() -> Gpu {
     Gpu::open(None).unwrap_or_else(|error| panic!("{error}"))
 }

@@ -55,7 +55,7 @@ pub struct Probe {
 impl Probe {
     /// Creates a probe of the modules with these names, in 32 bits unless they specify otherwise.
     pub fn new(parts: &[&str]) -> Self {
-        let unit = |name: &str| Unit::from(part(name).unwrap_or_else(|| panic!("no part {name}")));
+        let unit = |name: &str| Unit::from(part(name).unwrap_or_else(|| panic!("no module {name}")));
         let mut names: Vec<&str> = Vec::new();
         for part in parts {
             if !names.contains(part) {

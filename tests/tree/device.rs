@@ -49,7 +49,7 @@ fn deep_trees_are_rendered_as_they_are_traced() {
     let small = |branches| room(branches, &[block, pane]).replace("[128, 96]", "[40, 30]");
     let [less, all] = [10, 14].map(|branches| Tracer::new(&scene(&small(branches))).render());
     let grown = less.iter().zip(&all).filter(|(less, all)| (**all - **less).max_element() > 1e-4).count();
-    assert!(grown * 30 > all.len(), "{grown} of {} pixels see more than ten branchings", all.len());
+    assert!(grown * 30 > all.len(), "{grown} of {} pixels see more than ten splits", all.len());
     let part = agreement(&small(14), 1e-5);
     assert!(part >= 0.999, "{part}");
 }
@@ -80,11 +80,11 @@ fn branches_are_rendered_as_they_are_traced() {
     scenes.push(("camera in water".to_owned(), room(3, &[inside, mirror])));
     scenes.extend(lenses.map(|medium| (medium.to_owned(), room(3, &[&lens(medium)]))));
     let parts: Vec<_> = scenes.iter().map(|(name, text)| (name, agreement(text, 1e-5))).collect();
-    assert!(parts.iter().all(|(_, part)| *part >= 0.999), "parts of the pixels that agree: {parts:#?}");
+    assert!(parts.iter().all(|(_, part)| *part >= 0.999), "fractions of the pixels that agree: {parts:#?}");
 }
 
-/// Straight shadows agree with those of the tracer, except at their edges: of several lights, behind transparent and opaque objects, of
-/// objects in lists, in a hierarchy or a grid, for straight and bent paths, in all schedules.
+/// Straight shadows agree with those of the tracer, except at their edges: of several lights, behind transparent and opaque
+/// objects, of objects in lists, in a hierarchy or a grid, for straight and bent paths, in all schedules.
 #[test]
 fn shadows_are_rendered_as_they_are_traced() {
     let glass = "shape = \"sphere\"\ncenter = [0.2, -0.3, 0.5]\nradius = 1.1\ninterior = 1.5";

@@ -86,7 +86,7 @@ fn refraction_can_be_reversed() {
     assert!(tried > 2000, "{tried}");
 }
 
-/// From the denser side, total reflection begins at sin θ = n₂/n₁; equal media have no surface.
+/// Total reflection from the denser side begins at sin θ = n₂/n₁; equal media have no surface.
 #[test]
 fn total_reflection_begins_at_the_critical_angle() {
     let critical = (1.0_f64 / 1.5).asin();

@@ -74,8 +74,8 @@ fn cameras_can_be_inside() {
     unlike(&[around, air, GLASS], &[around, GLASS]);
 }
 
-/// Media that hardly vary, with each kind of path, give the images of a constant index, which are computed in a different way. They contain
-/// shapes of every kind.
+/// Media that hardly vary, with each kind of path, give the images of a constant
+/// index, which are computed in a different way. They contain shapes of every kind.
 #[test]
 fn paths_that_hardly_bend_show_what_lines_show() {
     let media = [

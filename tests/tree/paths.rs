@@ -157,8 +157,8 @@ fn lenses_have_their_focus() {
         let x = turn * DVec3::new(-1.0, 0.0, 0.0);
         let d = turn * (aside + 0.3 * DVec3::X).normalize();
         let end = surface(tracer.next(&tracer.ray(x, d)), "fisheye");
-        // The circle through x with the tangent d also contains −a² x/|x|²: from its points the chord between these two has a constant
-        // angle.
+        // The circle through x with the tangent d also contains −a² x/|x|²:
+        // from its points the chord between these two has a constant angle.
         let image = -4.0 * x / x.length_squared();
         let seen = (x - end.ray.x).angle_between(image - end.ray.x);
         let turned = std::f64::consts::PI - d.angle_between(image - x);

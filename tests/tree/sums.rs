@@ -49,7 +49,7 @@ fn a_slab_adds_up_its_inner_reflections() {
             sum
         });
         let off = difference(&found, &expected.collect::<Vec<_>>());
-        assert!(off < 1e-13, "{branches} branchings: off by {off:e}");
+        assert!(off < 1e-13, "{branches} splits: off by {off:e}");
     }
 }
 
@@ -67,8 +67,8 @@ fn a_slab_reflects_the_whole_series() {
     }
 }
 
-/// From the center of a glass ball the white sky is n² times as bright, except for cut paths; of an emitter inside it, 1/n² of the radiance
-/// leaves.
+/// The white sky seen from the center of a glass ball is n² times as bright,
+/// except for cut paths; of an emitter inside it, 1/n² of the radiance leaves.
 #[test]
 fn radiance_changes_with_the_square_of_the_index() {
     let ball = "[rays]\nbounding_sphere = { radius = 20 }\nmax_splits = BRANCHES\n[sky]\ncolor = [1, 1, 1]\n\
@@ -77,7 +77,7 @@ fn radiance_changes_with_the_square_of_the_index() {
         let scene = scene(&ball.replace("BRANCHES", &branches.to_string()));
         let seen = Tracer::new(&scene).seen(DVec3::ZERO, DVec3::new(0.6, 0.0, -0.8));
         let expected = 2.25 * (1.0 - 0.04_f64.powi(i32::from(branches)));
-        assert!((seen - expected).abs().max_element() < 1e-13, "{branches} branchings: {seen}");
+        assert!((seen - expected).abs().max_element() < 1e-13, "{branches} splits: {seen}");
     }
     let lamp = "[materials.lamp]\nkind = \"emissive\"\ncolor = [3, 2, 1]\n\
         [[objects]]\nshape = \"sphere\"\nradius = 0.5\nmaterial = \"lamp\"\n";

@@ -61,7 +61,7 @@ fn touching_objects_are_rendered_as_they_are_traced() {
     for (name, part) in &parts {
         println!("{name}: {:.3} % agree", 100.0 * part);
     }
-    assert!(parts.iter().all(|(_, part)| *part >= 0.999), "parts of the pixels that agree: {parts:#?}");
+    assert!(parts.iter().all(|(_, part)| *part >= 0.999), "fractions of the pixels that agree: {parts:#?}");
 }
 
 /// Cylinders and disks that touch nothing, which the tracer also supports.
@@ -136,8 +136,8 @@ fn touching_objects_do_not_depend_on_the_schedule() {
     }
 }
 
-/// Only scenes with touching objects search for them, not those with nested or separate objects or contact at a point; and nothing can be
-/// removed from their programs.
+/// Only scenes with touching objects search for them, not those with nested or separate objects or contact at a point; and
+/// nothing can be removed from their programs.
 #[test]
 fn what_does_not_touch_pays_nothing() {
     let links = |text: &str| {

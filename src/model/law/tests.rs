@@ -9,7 +9,7 @@ use crate::model::{Anchor, Source};
 #[test]
 fn invariants_are_kept() {
     let source = |position, strength, falloff: Option<Falloff>| {
-        let falloff = falloff.expect("a fall-off");
+        let falloff = falloff.expect("a falloff");
         Source { anchor: Anchor::center(position), strength, falloff, capture: 0.0 }
     };
     let laws: [Arc<dyn Law>; 6] = [

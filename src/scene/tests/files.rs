@@ -122,7 +122,7 @@ fn pictures_become_linear() {
     for name in ["f.exr", "f.hdr"] {
         let float = Rgb32FImage::from_pixel(3, 2, Rgb([0.5, 2.0, 8.0]));
         float.save(path(name)).expect("saved");
-        let picture = Picture::load(&path(name)).expect("a float picture");
+        let picture = Picture::load(&path(name)).expect("a float image");
         assert_eq!((picture.size, picture.pixels[5]), ([3, 2], [0.5, 2.0, 8.0]));
     }
 }
@@ -210,7 +210,7 @@ fn scenes_that_share_their_files_load_each_once() {
     let ((mesh_1, grid_1), (mesh_2, grid_2), (mesh_3, grid_3)) = (loaded(&first), loaded(&again), loaded(&other));
     assert!(Arc::ptr_eq(&mesh_1, &mesh_2) && Arc::ptr_eq(&mesh_1, &mesh_3));
     assert!(Arc::ptr_eq(&grid_1, &grid_2));
-    assert!((grid_3.samples[0] - grid_1.samples[0] - 1.0).abs() < 1e-6, "used otherwise, it is another grid");
+    assert!((grid_3.samples[0] - grid_1.samples[0] - 1.0).abs() < 1e-6, "with another use it is another grid");
     assert!(Arc::ptr_eq(&first.pictures[0].pixels, &again.pictures[0].pixels));
     // A scene has its own list of images, in the order of its references.
     assert_eq!(other.pictures.iter().map(|picture| picture.size).collect::<Vec<_>>(), [[4, 2], [2, 2]]);

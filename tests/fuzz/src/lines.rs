@@ -4,8 +4,8 @@
 use std::ffi::{CStr, c_char, c_int, c_void};
 use std::path::Path;
 
-/// Writes `format` with the file (`%s`) of the instruction at `at`, and with its file and line (`%l` and `%L`). Of inlined functions it
-/// uses the innermost one in this crate. Foreign code is `<null>`, which libFuzzer skips.
+/// Writes `format` with the file (`%s`) of the instruction at `at`, and with its file and line (`%l` and `%L`). Of inlined
+/// functions it uses the innermost one in this crate. Foreign code is `<null>`, which libFuzzer skips.
 #[unsafe(no_mangle)]
 extern "C" fn __sanitizer_symbolize_pc(at: *mut c_void, format: *const c_char, to: *mut c_char, size: usize) {
     // SAFETY: libFuzzer passes a text that ends in zero, and room for `size` bytes.

@@ -139,8 +139,8 @@ impl Case {
         }
     }
 
-    /// Checks that the expected pull is the slope of n²/2, by differences over 10⁻⁴ of the length, whose error is 10⁻⁸ of third
-    /// derivatives.
+    /// Checks that the expected pull is the slope of n²/2, by differences over
+    /// 10⁻⁴ of the length, whose error is 10⁻⁸ of third derivatives.
     fn pull_is_the_slope(&self, tolerance: f64) {
         let mut random = Random::new(53);
         let mut tried = 0;
@@ -168,8 +168,8 @@ fn root_error(square: f64, error: f64) -> f64 {
     if square > 2.0 * error { error / square.sqrt() } else { 2.0 * error.sqrt() }
 }
 
-/// Returns a bound on the relative error of the exponential function, if its argument has the error δ: WGSL allows 3 + 2 |z| units in the
-/// last place, of 2u each.
+/// Returns a bound on the relative error of the exponential function, if its argument has the error δ: WGSL allows
+/// 3 + 2 |z| units in the last place, of 2u each.
 fn exp_error(z: f64, delta: f64, u: f64) -> f64 {
     delta + (6.0 + 4.0 * z.abs()) * u
 }

@@ -5,7 +5,7 @@
 //! Paths through media are closed forms or Taylor series; nothing here is shared with the shaders.
 //!
 //! *Practice.* It supports straight space with interiors, and the shapes, media and skies that a test has needed; others make
-//! it panic. [`Tracer::picture`] is the image at one sample per pixel; [`Tracer::next`] and [`Tracer::cross`] follow one ray.
+//! it panic. [`Tracer::render`] is the image at one sample per pixel; [`Tracer::next`] and [`Tracer::cross`] follow one ray.
 
 mod interface;
 mod light;
@@ -195,8 +195,8 @@ impl<'s> Tracer<'s> {
         (interface, back, across)
     }
 
-    /// Returns `true` if no opaque object is on a line of this length from a point on the surface of `own`, on its side. All bodies are
-    /// convex.
+    /// Returns `true` if no opaque object is on a line of this length from a
+    /// point on the surface of `own`, on its side. All bodies are convex.
     fn is_clear(&self, own: usize, x: DVec3, d: DVec3, distance: f64) -> bool {
         let within = |t: f64| t > 0.0 && t < distance;
         let blocks = |k: usize| self.bodies[k].span(x, d).is_some_and(|ends| ends.into_iter().any(within));

@@ -47,8 +47,8 @@ impl Body {
         self.inward.transform_point3(x)
     }
 
-    /// Returns the level of a point in object space: below 0 inside, 0 on the surface, with a slope of at most 1. For an open shape its
-    /// sign is the side.
+    /// Returns the level of a point in object space: below 0 inside, 0 on the
+    /// surface, with a slope of at most 1. For an open shape its sign is the side.
     pub fn level(&self, p: DVec3) -> f64 {
         match self.solid {
             Primitive::Ball => p.length() - 1.0,
