@@ -37,8 +37,7 @@ impl Hole {
         DMat4::from_diagonal(DVec4::new(1.0, 1.0, 1.0, -1.0)) + f * DMat4::from_cols(l.x * l, l.y * l, l.z * l, l.w * l)
     }
 
-    /// Returns the light that an observer with zero angular momentum (or a static
-    /// one) at x sees along d, relative to axes to the right, up and forward.
+    /// Returns the light that a zero-angular-momentum or static observer at x sees along d, for axes right, up and forward.
     fn light(&self, x: DVec3, axes: [DVec3; 3], d: DVec3, rests: bool) -> Light {
         let (a, g) = (self.spin, self.metric(x));
         let dot = |a: DVec4, b: DVec4| a.dot(g * b);

@@ -130,8 +130,7 @@ fn samples() -> Vec<u8> {
     (0..13 * 13 * 13).flat_map(|i| index(i).to_le_bytes()).collect()
 }
 
-/// Checks that every pixel has the expected radiance and that no path is lost,
-/// because a path that is already dark would not affect its pixel.
+/// Checks the radiance of every pixel, and that no path is lost, because a lost dark path would not affect its pixel.
 fn check(table: &str, size: [u32; 2], samples_a_pixel: u32, law_and_objects: fn(&str, &str) -> [String; 2]) {
     let folder = tempfile::tempdir().unwrap();
     std::fs::write(folder.path().join("index.raw"), samples()).unwrap();

@@ -222,8 +222,7 @@ fn rays_in_their_limits() {
         format!("[rays]\nbounding_sphere = {{ radius = 5 }}\n[[objects]]\nshape = \"sphere\"\ninterior = {medium}\n")
     };
     let along_x = [[-4.0, 0.0, 0.0, 1.0, 0.0, 0.0]];
-    // Each medium has the distance from the axis at which a ray touches the sphere,
-    // or just misses it if the index jumps, because a hit would then bend the ray.
+    // Media with the distance from the axis at which a ray touches the sphere, or just misses it if the index jumps.
     for (medium, touching) in [
         ("1.5", 1.00001),
         ("{ kind = \"luneburg\", c = 2 }", 1.0),

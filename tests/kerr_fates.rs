@@ -186,9 +186,8 @@ fn light_without_energy_comes_from_the_horizon() {
     }
 }
 
-/// Returns `true` if no light, or light from below r₊, arrives along this inward ray. The
-/// least value of its radial potential R = (r² + a² − aξ)² − Δχ between it and the horizon is
-/// then positive. It is zero for a spherical photon orbit, on the closed curve of the shadow.
+/// Returns `true` if no light, or light from below r₊, arrives along this inward ray: the least radial potential R = (r² + a² − aξ)² − Δχ
+/// between it and the horizon is positive. R = 0 is a spherical photon orbit, on the closed curve of the shadow.
 fn is_dark(hole: &KerrNewman, x: DVec3, v: DVec3) -> bool {
     let (kept, here) = (hole.invariants(x, v), hole.at(x).r);
     let [_, momentum, carter] = kept[..] else { return true };
@@ -207,9 +206,8 @@ fn is_dark(hole: &KerrNewman, x: DVec3, v: DVec3) -> bool {
     potential(least) > 0.0
 }
 
-/// The edges of shadows at 100 points each for seven observers: a ray 10⁻⁵ rad further in is
-/// captured, and one 10⁻⁵ rad further out escapes, also if photon orbits are very close to the
-/// horizon. At the greatest spin they are at the horizon, and the edge is known to 10⁻⁴ rad.
+/// The edges of shadows at 100 points each for seven observers: rays 10⁻⁵ rad further in are captured, and 10⁻⁵ rad further out escape,
+/// also with photon orbits very close to the horizon. At the greatest spin they are at it, and the edge is known to 10⁻⁴ rad.
 #[test]
 fn shadows_have_sharp_edges_where_closed_curves_say() {
     let gpu = gpu();

@@ -23,8 +23,7 @@ pub fn shifts(picture: &Rendering) -> &[f32] {
     }
 }
 
-/// The sky as a boosted observer with speed 0.6 sees it in flat space, by the Doppler formula, and as a static observer
-/// near a black hole sees it: brighter by g⁴.
+/// The sky is brighter by g⁴, for a boosted observer of speed 0.6 in flat space (Doppler formula), and for a static one near a black hole.
 #[test]
 fn the_sky_is_as_bright_as_its_shift() {
     let flat = "kind = \"metric\"\nline_element = \"-dt^2 + dx^2 + dy^2 + dz^2\"\nscale = \"9\"";

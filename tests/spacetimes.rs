@@ -116,8 +116,7 @@ fn without_spin_and_charge_it_is_schwarzschilds() {
     }
 }
 
-/// Checks the directions that an observer sees as right, up and forward. The
-/// visible light goes into the past, is null and has the speed of `law_start`.
+/// Checks an observer's right, up and forward, and that its light comes from the past, is null and has the speed of `law_start`.
 #[test]
 fn observers_have_the_axes_of_their_four_velocities() {
     let four = |text: &str| DVec4::from_slice(&text.split(' ').map(|n| n.parse().unwrap()).collect::<Vec<f64>>());

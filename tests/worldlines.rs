@@ -20,8 +20,7 @@ fn square(law: &dyn Law, event: &Event) -> f64 {
     event.u.dot(law.metric(event.x, event.t).unwrap() * event.u)
 }
 
-/// A fall from rest far away to the center takes the proper time √(2/9M) r^(3/2)
-/// in any coordinates; it passes a horizon in coordinates that extend through it.
+/// A fall from rest far away to the center takes the proper time √(2/9M) r^(3/2), with and without a coordinate singularity at the horizon.
 #[test]
 fn who_falls_from_rest_takes_as_long_as_closed_forms_say() {
     let spent = |from: f64, to: f64| (from.powf(1.5) - to.powf(1.5)) * (2.0 / 9.0 / 1.5_f64).sqrt();

@@ -137,7 +137,7 @@ fn every_ray_comes_out_on_the_right_side() {
                 continue;
             }
             let (x, aside) = (mouth + (1.0 + far) * n, d - rising * n);
-            // In the coordinates of the embedding.
+            // In scene coordinates.
             let v = rising * n + aside * ((1.0 + far) / law.width(far));
             rays.push([x.x, x.y, x.z, v.x, v.y, v.z]);
             through.push((impact < 1.0 && rising < 0.0) != (mouth == law.other));
@@ -158,8 +158,7 @@ fn every_ray_comes_out_on_the_right_side() {
     }
 }
 
-/// A pixel that looks away from the mouth sees the sky of this side, and one that
-/// looks through it sees the sky or objects of the other side, also in path tracing.
+/// A pixel away from the mouth shows this side's sky, and one through it the other side's sky or objects, also in path tracing.
 #[test]
 fn each_side_has_its_own_sky_and_objects() {
     let gpu = gpu();

@@ -163,8 +163,7 @@ fn frames_that_cannot_be_are_refused() {
         .fails(1, &["--frames requires a scene with [animation]"]);
 }
 
-/// Frames of a list equal those of the video, are divided among parts, and are
-/// rendered once; every placeholder in a name receives the number.
+/// Frames of a list equal the video's, are divided among parts, and are rendered once; every placeholder receives the number.
 #[test]
 fn lists_of_frames_are_rendered_whole_in_parts_and_as_a_film() {
     let folder = Folder::with(&format!(

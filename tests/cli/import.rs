@@ -80,8 +80,7 @@ fn a_file_becomes_a_scene_that_shows_it() {
             assert!((found - expected).abs() < 0.11, "{x} {y}: {found} {expected}");
         }
     }
-    // An intensity of 4 at a distance of 2 is 1, times the gray 0.5, plus a constant
-    // tenth of that. Half a pixel away the oblique light has the factor cos⁴.
+    // An intensity of 4 at a distance of 2 is 1, times the gray 0.5, plus a tenth of that. Half a pixel away there is a factor cos⁴.
     let wall = at(2.4, 0.0, -1.0);
     assert!(wall.iter().all(|value| (value - 0.55).abs() < 0.01), "{wall:?}");
     let scene = Scene::load(&folder.path("new.toml"), &[]).unwrap();

@@ -93,8 +93,7 @@ fn parts_and_budgets_that_cannot_be_are_refused() {
     assert_eq!(folder.names(), ["scene.toml"]);
 }
 
-/// Equal parts of an image and of a video, rendered separately, give the result
-/// of a single render, however they are requested and how often.
+/// Equal parts of an image and of a video, rendered separately in any order and number of jobs, give the result of a single render.
 #[test]
 fn equal_parts_make_the_whole_to_the_byte() {
     let folder = Folder::with(BALL);

@@ -200,8 +200,7 @@ fn fisheye() {
                 let rho = p.x.hypot(p.y);
                 let angle = (rho * 0.5 * fov).to_radians();
                 let outwards = if rho > 0.0 { (p.x * right + p.y * up) / rho } else { DVec3::ZERO };
-                // ρ has an error of 3 U, and the scale and the product of the
-                // angle have one rounding each; the sum of the axes errs by 8 U.
+                // ρ errs by 3 U of it, the scale and the product of the angle by one rounding each, and the sum of the axes by 8 U.
                 let bound = 5.0 * u * angle + 8.0 * u;
                 errors.check(d, angle.cos() * forward + angle.sin() * outwards, bound, input);
                 if (rho - 1.0).abs() > 3.0 * u {

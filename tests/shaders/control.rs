@@ -142,8 +142,7 @@ fn factor(error: f64, order: f64) -> f64 {
     (0.9 * (TOLERANCE / error).powf(1.0 / (order + 1.0))).clamp(0.2, 5.0)
 }
 
-/// Returns the result of the rule in f64: the accepted size, its error, the
-/// number of rejected tries, and whether a try was too close to decide.
+/// Returns the rule's result in f64: the accepted size, its error, the rejected tries, and whether a try was undecidable.
 fn tried(scheme: Scheme, order: f64, p: Phase, mut h: f64) -> (f64, f64, u32, bool) {
     let mut close = false;
     for rejected in 0..16 {

@@ -135,14 +135,12 @@ impl Setting {
         (self.factor(error) / last.powf(0.04) / 0.9).clamp(1.0 / 10.0, 1.0 / 0.2)
     }
 
-    /// Returns the relative error of a quotient of sizes: 1e-4 per power
-    /// (lavapipe's log errs by 3e-5), and the effect of the error estimate.
+    /// Returns the error of a quotient of sizes: 1e-4 per power (lavapipe's log errs by 3e-5), and that of the error estimate.
     fn unsure(&self, [error, off]: [f64; 2]) -> f64 {
         2e-4 + off / error.max(1e-10) / self.order
     }
 
-    /// Returns the accepted size, the number of rejected tries, a bound on the
-    /// relative error of the size, and whether a try was too close to decide.
+    /// Returns the accepted size, the number of rejected tries, the error of the size, and whether a try was undecidable.
     fn tried(&self, input: &Input, first: f64) -> (f64, f64, f64, bool) {
         let (mut h, mut slack, mut close) = (first, 8.0 * self.unit, false);
         for rejected in 0..16 {

@@ -54,8 +54,7 @@ fn check(kind: &str, list: &'static str, targets: [Place; 2], expect: impl Fn(&m
         let place = targets[e.place];
         // The transpose of the inverse map takes normals to the scene.
         let steep = place.linear.transpose() * e.gradient;
-        // The coordinates of the point err by 8 U of 1 + |row| |x| (including
-        // the rounding of the input), and a curved normal errs with them.
+        // The coordinates err by 8 U of 1 + |row| |x| (with the rounding of the input), and a curved normal errs with them.
         let x = wide(input[0]);
         let size = norm(place.linear);
         let moved = 8.0 * U * (1.0 + size * x.length() + place.offset.length());

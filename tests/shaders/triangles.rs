@@ -145,8 +145,7 @@ impl Mesh {
             .numbers("mesh", &self.words())
     }
 
-    /// Returns the data of the mesh. Triangle k belongs to object k mod 3, with
-    /// material 7 and so on; the color of a vertex is its position.
+    /// Returns the mesh. Triangle k belongs to object k mod 3, with material 7 and so on; a vertex has its position as its color.
     fn words(&self) -> Vec<u32> {
         let [triangle, vertex] = [("shape/triangle", "TRIANGLE_WORDS"), ("surface/vertex_colors", "COLOR_WORD")]
             .map(|(part, name)| constant(part, name) as u32);

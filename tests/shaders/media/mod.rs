@@ -139,8 +139,7 @@ impl Case {
         }
     }
 
-    /// Checks that the expected pull is the slope of n²/2, by differences over
-    /// 10⁻⁴ of the length, whose error is 10⁻⁸ of third derivatives.
+    /// Checks that the pull is the slope of n²/2, by differences over 10⁻⁴ of the length, which err by 10⁻⁸ of third derivatives.
     fn pull_is_the_slope(&self, tolerance: f64) {
         let mut random = Random::new(53);
         let mut tried = 0;

@@ -195,8 +195,7 @@ impl<'s> Tracer<'s> {
         (interface, back, across)
     }
 
-    /// Returns `true` if no opaque object is on a line of this length from a
-    /// point on the surface of `own`, on its side. All bodies are convex.
+    /// Returns `true` if no opaque object is on a line of this length from a point on a side of `own`. All bodies are convex.
     fn is_clear(&self, own: usize, x: DVec3, d: DVec3, distance: f64) -> bool {
         let within = |t: f64| t > 0.0 && t < distance;
         let blocks = |k: usize| self.bodies[k].span(x, d).is_some_and(|ends| ends.into_iter().any(within));
