@@ -27,7 +27,7 @@ const COMPUTED: [(&str, &[(&str, &str)]); 6] = [
         &[("surface/pattern", "CONSTANT"), ("surface/pattern", "CHECKER"), ("surface/pattern", "IMAGE")],
     ),
     (
-        "\"absorption/density\", &filter.kind().to_uppercase()",
+        "\"absorption/density\", &absorption.kind().to_uppercase()",
         &[
             ("absorption/density", "EVEN"),
             ("absorption/density", "FORMULA"),

@@ -180,7 +180,9 @@ fn every_scene_is_valid_in_64_bits() {
         count += 1;
         let geometry = Geometry::new(&scene);
         // This validates all passes.
-        let made = |scene: &Scene, options: &ProgramOptions| Program::new(scene, &geometry.analysis, options, geometry.extent());
+        let made = |scene: &Scene, options: &ProgramOptions| {
+            Program::new(scene, &geometry.analysis, options, geometry.extent())
+        };
         let whole = |mode| ProgramOptions { mode, layers: Layer::ALL.to_vec(), ..ProgramOptions::default() };
         let fused = |mode| ProgramOptions { schedule: Schedule::Fused, mode, ..ProgramOptions::default() };
         for options in [whole(Mode::Picture), whole(Mode::Trace), fused(Mode::Picture)] {

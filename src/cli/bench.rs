@@ -65,7 +65,7 @@ enum Name {
     /// Lights along curved rays: time against error for straight rays, photon grids and the shooting method
     Lights,
     /// Path tracing: time to equal error, by emitter size and sampling method
-    PathTracing,
+    Paths,
     /// Equal work, divided into passes in different ways
     Schedules,
     /// Time against the number of pixels, steps, spheres, lights and samples
@@ -92,7 +92,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Error> {
     let device = format!("{} ({:?}, {})", gpu.info.name, gpu.info.device_type, gpu.info.driver_info);
     let usual = |name: Name| match name {
         Name::Sampling => [200, 150],
-        Name::PathTracing => [48, 48],
+        Name::Paths => [48, 48],
         _ => [800, 600],
     };
     let size = |name: Name| arguments.size.unwrap_or_else(|| usual(name));
@@ -147,9 +147,9 @@ impl CommandResult for Measured<'_> {
 }
 
 fn wanted(name: Name) -> Vec<Name> {
-    use Name::{All, Compaction, Groller, Lights, Limit, Paper, PathTracing, Sampling, Scaling, Schedules, Start};
+    use Name::{All, Compaction, Groller, Lights, Limit, Paper, Paths, Sampling, Scaling, Schedules, Start};
     match name {
-        All => vec![Paper, Groller, Lights, PathTracing, Schedules, Scaling, Sampling, Limit, Compaction, Start],
+        All => vec![Paper, Groller, Lights, Paths, Schedules, Scaling, Sampling, Limit, Compaction, Start],
         one => vec![one],
     }
 }
@@ -160,7 +160,7 @@ fn measure(bench: &Bench, name: Name, given: &Given) -> Result<Report, Error> {
         Name::Paper => paper(bench)?,
         Name::Groller => groller(bench, &given.mesh)?,
         Name::Lights => lights(bench)?,
-        Name::PathTracing => paths(bench)?,
+        Name::Paths => paths(bench)?,
         Name::Schedules => schedules(bench)?,
         Name::Scaling => scaling(bench)?,
         Name::Sampling => sampling(bench, scenes)?,

@@ -39,8 +39,8 @@ fn check(kind: &str, list: &'static str, targets: [Place; 2], expect: impl Fn(&m
         .collect();
     let body = format!(
         "let s = surface_{kind}(u32(p0.w), p0.xyz);
-        put(0u, vec4f(s.across, s.gap));
-        put(1u, vec4f(s.normal, f32(s.material)));
+        put(0u, vec4f(s.normal, s.signed_distance));
+        put(1u, vec4f(s.shading_normal, f32(s.material)));
         put(2u, vec4f(s.uv, f32(s.object), 0.0));"
     );
     let record = |k: usize| {

@@ -194,8 +194,8 @@ fn meshes_by_hierarchy_and_by_brute_force() {
         let missed = hit.primitive == NOTHING;
         put(0u, vec4f(hit.t, select(f32(hit.primitive & PRIMITIVE_INDEX), -1.0, missed), 0.0, 0.0));
         let surface = surface_triangle(select(hit.primitive & PRIMITIVE_INDEX, 0u, missed), p0.xyz + hit.t * (p1.xyz - p0.xyz));
-        put(1u, vec4f(surface.across, surface.gap));
-        put(2u, vec4f(surface.normal, 0.0));
+        put(1u, vec4f(surface.normal, surface.signed_distance));
+        put(2u, vec4f(surface.shading_normal, 0.0));
         put(3u, vec4f(surface.uv, f32(surface.material), f32(surface.object)));
         put(4u, vec4f(vertex_color(), 0.0));";
     let out = mesh.probe().run::<2, 5>(&gpu(), body, &inputs);

@@ -30,7 +30,7 @@ fn scatter_fan(material: Material, surface: Surface, end: PathPoint, index: u32,
             break;
         }
         branch = chosen_branch(pixel, index + i * NEXT_CHOICE, f32(part));
-        share *= branch.weight;
+        share *= branch.throughput;
         if branch.cut || branch.reflects {
             break;
         }

@@ -88,7 +88,7 @@ pub(super) fn materials(answers: &Answers) -> Unit {
     if paths {
         let mut answers = each(&|_, kind| format!("bsdf_{kind}(material, color)"));
         if answers.is_empty() {
-            answers.push((String::new(), "Answer(vec3f(0.0), vec3f(0.0), vec3f(0.0), 1.0)".to_owned()));
+            answers.push((String::new(), "Bsdf(vec3f(0.0), vec3f(0.0), vec3f(0.0), 1.0)".to_owned()));
         }
         text += "\n";
         text += &switch("fn bsdf_at(material: Material, color: vec3f) -> Bsdf", "material.kind", &answers);
