@@ -1,7 +1,8 @@
 //! Tables of `bentray trace`: the input of rays, and the output of results and paths.
 //!
 //! Both are plain CSV: one header line, commas, and no quotes except for text that contains a comma or a quote. Numbers are written in the
-//! shortest form that parses as the identical `f64`. The reader stores the whole file, about 100 bytes per ray; the writer stores one row.
+//! shortest form that parses as the identical `f64`. The reader skips empty lines and comments, which begin with `#`, and stores the whole
+//! file, about 100 bytes per ray; the writer stores one row.
 
 use std::{
     io::{self, BufWriter, ErrorKind, Stdout, Write},
@@ -80,7 +81,8 @@ fn parse_numbers<const N: usize>(
     columns: &[&str; N],
     check: impl Fn(&[f64; N]) -> Result<(), String>,
 ) -> Result<Vec<[f64; N]>, SpannedError> {
-    let mut lines = text.lines().enumerate().map(|(i, line)| (i + 1, line)).filter(|(_, line)| !line.trim().is_empty());
+    let is_data = |line: &str| !line.is_empty() && !line.starts_with('#');
+    let mut lines = text.lines().enumerate().map(|(i, line)| (i + 1, line)).filter(|(_, line)| is_data(line.trim()));
     let expected = columns.join(",");
     let (line, header) = lines.next().ok_or_else(|| (1, format!("the file is empty; begin it with {expected}")))?;
     let order = column_order(header, what, columns).map_err(|problem| (line, problem))?;

@@ -219,7 +219,7 @@ fn what_is_far_larger_than_the_window_is_drawn_in_it() {
     let plot = PathPlot {
         range: PlotRange::Given([-1.0, 1.0, -1.0, 1.0]),
         surfaces: vec![ball(DVec3::new(0.0, 0.0, -far), far, SurfaceKind::Limit("r = R"))],
-        ..PathPlot::new(plane(), vec![line(0.5, "escaped"), line(-0.5, "hit")])
+        ..PathPlot::new(plane(), vec![line(0.5, "escaped"), line(-0.5, "captured")])
     };
     let svg = svg("far.svg", |path| plot_paths(path, &plot).unwrap());
     let [left, top, right, bottom] = window(&svg);

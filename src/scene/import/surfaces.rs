@@ -217,7 +217,14 @@ fn blinn(rough: f64) -> f64 {
 fn matte(pattern: &Paint, rough: f64) -> String {
     let exponent = blinn(rough).min(1e4);
     let height = (DIELECTRIC * (exponent + 8.0) / 8.0).min(0.5);
-    highlight(&format!("diffuse = {pattern}\n"), DVec3::splat(height), exponent)
+    let Some(color) = pattern.constant().filter(|_| exponent >= BROAD) else {
+        return highlight(&format!("diffuse = {pattern}\n"), DVec3::splat(height), exponent);
+    };
+    // The two parts together reflect at most all light, also after their rounding to 32 bits.
+    let below = color.min(DVec3::splat(1.0 - DIELECTRIC));
+    let left = (1.0 - 1e-6 - below.max_element()).max(0.0);
+    let diffuse = Paint { base: Base::Color(below), has_vertex_colors: false };
+    highlight(&format!("diffuse = {diffuse}\n"), DVec3::splat(height.min(left)), exponent)
 }
 
 /// Returns a rough metal, which reflects half of the light diffusely and half in its highlight.
@@ -235,9 +242,11 @@ fn matte_metal(pattern: &Paint, rough: f64) -> String {
     )
 }
 
+/// The exponent below which a highlight is indistinguishable from the matte term.
+const BROAD: f64 = 2.0;
+
 fn highlight(diffuse: &str, height: DVec3, exponent: f64) -> String {
-    // So broad a highlight is indistinguishable from the matte term.
-    if exponent < 2.0 || height.max_element() <= 0.0 {
+    if exponent < BROAD || height.max_element() <= 0.0 {
         return diffuse.to_owned();
     }
     format!("{diffuse}specular = {}\nshininess = {}\n", color(height), number(exponent))

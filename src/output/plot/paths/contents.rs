@@ -3,14 +3,27 @@
 use glam::DVec3;
 
 use crate::measure::{Curve, Focus};
+use crate::render::Status;
 use crate::scene::{CutPlane, Outline};
+
+/// The statuses in the order of their styles; the line of the first is solid.
+const STYLED: [Status; 8] = [
+    Status::Escaped,
+    Status::Captured,
+    Status::Hit,
+    Status::Ended,
+    Status::Exhausted,
+    Status::Stalled,
+    Status::Failed,
+    Status::Cut,
+];
 
 /// The path of one ray.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PathLine<'a> {
     /// The path in scene coordinates.
     pub curve: Curve,
-    /// The termination status of the ray.
+    /// The termination status of the ray, or another label.
     pub status: &'a str,
 }
 
@@ -77,17 +90,18 @@ impl<'a> PathPlot<'a> {
         Self { plane, range: PlotRange::All, lines, surfaces, bound, foci, windings, attractor }
     }
 
-    /// Returns the distinct statuses in order of frequency; the line of the first is solid.
-    pub(super) fn statuses(&self) -> Vec<&'a str> {
-        let mut statuses: Vec<&str> = Vec::new();
+    /// Returns the labels of the paths, each once, with the index of its style. A status has the same style in all diagrams; other labels
+    /// are numbered in order of appearance.
+    pub(super) fn labels(&self) -> Vec<(&'a str, usize)> {
+        let mut labels: Vec<(&str, usize)> = Vec::new();
         for line in &self.lines {
-            if !statuses.contains(&line.status) {
-                statuses.push(line.status);
+            if labels.iter().all(|(label, _)| *label != line.status) {
+                let known = STYLED.iter().position(|status| status.name() == line.status);
+                labels.push((line.status, known.unwrap_or(labels.len())));
             }
         }
-        let count = |status: &str| self.lines.iter().filter(|line| line.status == status).count();
-        statuses.sort_by_cached_key(|status| std::cmp::Reverse(count(status)));
-        statuses
+        labels.sort_by_key(|(_, style)| *style);
+        labels
     }
 }
 

@@ -45,8 +45,8 @@ fn sheet<'l>(plot: &PathPlot, legend: &'l Legend) -> Sheet<'l> {
 }
 
 fn legend(plot: &PathPlot, bound: bool) -> Legend {
-    let statuses = plot.statuses().into_iter().enumerate().map(|(i, status)| (status.to_owned(), Style::of(i)));
-    let mut entries: Vec<_> = statuses.collect();
+    let labels = plot.labels().into_iter().map(|(label, style)| (label.to_owned(), Style::of(style)));
+    let mut entries: Vec<_> = labels.collect();
     let mut kinds: Vec<SurfaceKind> = Vec::new();
     for surface in &plot.surfaces {
         if !kinds.contains(&surface.kind) {
@@ -64,8 +64,10 @@ fn legend(plot: &PathPlot, bound: bool) -> Legend {
 }
 
 fn draw(canvas: &mut Canvas, view: &View, plot: &PathPlot) {
-    let statuses = plot.statuses();
-    let look = |line: &PathLine| Style::of(statuses.iter().position(|s| *s == line.status).unwrap_or(0));
+    let labels = plot.labels();
+    let look = |line: &PathLine| {
+        Style::of(labels.iter().find(|(label, _)| *label == line.status).map_or(0, |(_, style)| *style))
+    };
     let mut ends = Vec::new();
     canvas.clipped(view.window, |canvas| {
         if let Some(attractor) = &plot.attractor {
