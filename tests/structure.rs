@@ -195,6 +195,15 @@ fn each_pass_has_one_name() {
     }
 }
 
+/// The compiler denies `unsafe` everywhere; one function allows it.
+#[test]
+fn unsafe_code_is_in_one_place() {
+    let allow = "allow(unsafe_code)";
+    let all = files(Path::new("src"), "rs").into_iter();
+    let found: Vec<_> = all.filter(|file| std::fs::read_to_string(file).unwrap().contains(allow)).collect();
+    assert_eq!(found, [Path::new("src/gpu/pipeline.rs")]);
+}
+
 /// `cargo test` ignores a test that needs another program; `make test` must list when to run it.
 #[test]
 fn make_test_knows_every_ignored_test() {

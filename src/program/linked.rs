@@ -7,7 +7,7 @@ use super::ProgramError;
 use super::declarations::Declaration;
 use super::location::Location;
 use super::tokens::Origin;
-use super::unit::Unit;
+use super::unit::{Author, Unit};
 
 /// Rejects a declaration that contains one of these names, even as a local variable: the linker reserves them for itself.
 pub(super) fn refuse(declaration: &Declaration, names: &BTreeSet<String>, units: &[Unit]) -> Result<(), ProgramError> {
@@ -68,6 +68,12 @@ impl LinkedProgram {
     #[must_use]
     pub fn parts(&self) -> Vec<&str> {
         self.files.iter().map(|unit| &*self.units[*unit].file).collect()
+    }
+
+    /// Returns `true` if the program contains no WGSL of a user.
+    #[must_use]
+    pub fn is_own(&self) -> bool {
+        self.files.iter().all(|unit| self.units[*unit].author != Author::User)
     }
 
     /// Returns the source location of position `at` of the module.
