@@ -25,6 +25,8 @@ fn reads_rays_in_any_order_of_columns() {
     assert_eq!(rays(plain).unwrap(), expected);
     let odd = "\u{feff}\r\n vx, vy ,vz,z,y,x \r\n4,5,6,3,2,1\r\n\r\n1,0,0, 0 ,0.001,-0.5\r\n";
     assert_eq!(rays(odd).unwrap(), expected);
+    let noted = format!("# at rest\n{}\n  # the end", plain.replace("\n1", "\n#7,8\n1"));
+    assert_eq!(rays(&noted).unwrap(), expected);
 }
 
 #[test]
