@@ -15,6 +15,7 @@ use wgpu::{
 
 use super::readback::read_buffer;
 use crate::gpu::{Gpu, GpuError};
+use crate::program::Pass;
 
 /// The stages that are timed separately.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -26,6 +27,20 @@ pub(super) enum Stage {
     Intersect,
     Scatter,
     Shade,
+}
+
+impl Stage {
+    /// Returns the stage to time. Later rounds are timed as one, because timing a pass may cost more than the pass.
+    pub(super) fn of(pass: Pass, round: u32, apart: bool) -> Self {
+        match pass {
+            _ if round > 0 => Self::Advance,
+            Pass::Setup => Self::Setup,
+            Pass::Intersect if apart => Self::Intersect,
+            Pass::Scatter if apart => Self::Scatter,
+            Pass::Shade | Pass::Record | Pass::Refine => Self::Shade,
+            _ => Self::Advance,
+        }
+    }
 }
 
 /// Timestamp queries for any number of passes, in sets of the largest size that wgpu allows.

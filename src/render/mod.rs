@@ -3,8 +3,9 @@
 //! *Theory.* Figure 1 of W04: ray setup; then, for every segment, ray integration, ray–object intersection and the termination test;
 //! finally local illumination. A [`Step`] is one dispatch of these stages; a *schedule* divides the same stages into different passes.
 //!
-//! *Practice.* All steps of a sample are known before the first one runs. Nothing is read back until the tile is complete: indirect
-//! dispatch drops terminated rays. Submissions are short, because drivers abort long ones.
+//! *Practice.* All steps of a sample are known before the first one runs. The host waits for no value until the tile is complete: indirect
+//! dispatch drops terminated rays. Counts of the rays that are left arrive meanwhile, and end the recording of empty passes. Submissions
+//! are short, because drivers abort long ones.
 //!
 //! `Prepared` is a scene with its program and data on a device, `tile` a part of the image on it, and `runner` runs
 //! the steps of a tile's samples, which `schedule` lists. Three types use them: [`Renderer`] renders images band by band and tile by tile,
@@ -18,6 +19,7 @@ mod error;
 mod grids;
 mod light_grid;
 mod light_paths;
+mod live_rays;
 mod moments;
 mod noise;
 mod paths;
@@ -37,6 +39,7 @@ mod settings;
 mod start;
 mod step;
 mod steps_only;
+mod submission_size;
 mod tile;
 mod tiling;
 mod time_estimate;

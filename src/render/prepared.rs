@@ -7,6 +7,7 @@ use wgpu::ErrorFilter;
 use super::grids::LightGrids;
 use super::plan::Plan;
 use super::schedule::{PassCounts, fused_segments, steps};
+use super::submission_size::SubmissionSize;
 use super::{RenderError, RenderSettings, Window};
 use crate::gpu::{Geometry, Gpu, GpuError, Pipelines, PreviousGeometry, SceneBuffers, pack, schedule_values};
 use crate::model::{Control, Value};
@@ -35,6 +36,7 @@ pub(super) struct Prepared<'a> {
     pub passes: PassCounts,
     /// The steps of each round of a sample.
     pub plan: Plan,
+    pub submission: SubmissionSize,
 }
 
 /// A scene that some of an image's samples show, with the same program.
@@ -99,6 +101,7 @@ impl<'a> Prepared<'a> {
             max_segments,
             passes,
             plan,
+            submission: SubmissionSize::default(),
         })
     }
 

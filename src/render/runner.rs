@@ -1,25 +1,28 @@
 //! Runs the passes of a sample: the loop of Figure 1 in W04.
 //!
 //! *Theory.* If surfaces split rays, a sample has as many rounds of the same steps as the tree of a path may have leaves. A pixel takes
-//! part until all its paths have been followed. The host cannot determine which pixels remain, so it records every possible round.
+//! part until all its paths have been followed. The host records the steps without knowing which rays remain: passes over an empty list are
+//! indirect dispatches that do nothing.
 //!
-//! *Practice.* A round without pixels consists of a few empty indirect dispatches, which take a few microseconds each, mostly on the host.
+//! *Practice.* An empty dispatch takes a few microseconds, mostly on the host. Each submission therefore returns the number of rays that it
+//! left active; the host does not wait for it, and stops recording when the number is 0.
 
 use std::collections::{HashMap, VecDeque};
+use std::time::Instant;
 
 use wgpu::{
     BindGroup, CommandEncoder, CommandEncoderDescriptor, ComputePass, ComputePassDescriptor, PollType, SubmissionIndex,
 };
 
 use super::clock::{Clock, Stage};
+use super::live_rays::{Count, LiveRays};
 use super::prepared::Prepared;
 use super::sample::Sample;
 use super::step::{Dispatch, Step};
+use super::submission_size::part;
 use crate::gpu::{GpuError, List, PixelListKind, SECTION, SceneBuffers, Selection, Tile};
 use crate::program::{Access, Pass, Role};
 
-/// The approximate number of ray steps of one submission: a few tenths of a second on a slow device, well below any driver's timeout.
-const SUBMISSION: u64 = 1 << 26;
 /// The maximum number of submissions in flight.
 const IN_FLIGHT: usize = 3;
 
@@ -35,24 +38,27 @@ impl Prepared<'_> {
     ) -> Result<(), GpuError> {
         let rounds = self.program.features.rounds;
         let all = u64::from(rounds) * self.plan.steps.iter().map(|step| step.weight).sum::<u64>();
-        let allowed = SUBMISSION / (u64::from(tile.size[0]) * u64::from(tile.size[1]));
-        let told = |ended: u64| progress(part(ended, all, allowed));
+        let pixels = u64::from(tile.size[0]) * u64::from(tile.size[1]);
+        let told = |ended: u64| progress(part(ended, all, self.submission.get() / pixels));
         let mut runner = Runner::new(self, tile, sample, &told);
-        let mut weight = 0;
         for round in 0..rounds {
             // All rounds after the first use the same values.
             if round < 2 {
                 runner.submit(clock)?;
-                weight = 0;
                 self.write_sample(tile, sample, round)?;
             }
+            let mut last = None;
             for step in &self.plan.steps {
-                weight += step.weight;
-                if weight > allowed {
-                    runner.submit(clock)?;
-                    weight = step.weight;
+                // The lists are complete at the end of an iteration.
+                if last.replace(step.iteration) != Some(step.iteration) {
+                    runner.make_room(round, step.weight, clock)?;
                 }
-                runner.recorded.push((round, step.in_round(round, sample.refines)));
+                if runner.live.in_round(round) > 0 || step.dispatch != Dispatch::PixelListKind {
+                    runner.recorded.push((round, step.in_round(round, sample.refines)));
+                }
+            }
+            if runner.live.is_done() {
+                break;
             }
         }
         if let Some(refines) = sample.refines {
@@ -78,26 +84,17 @@ impl Prepared<'_> {
     }
 }
 
-/// Returns the completed fraction of a sample, for `ended` of `all` units of weight and submissions of at most `each`.
-///
-/// The number of rays that remain active is unknown beforehand, so each doubling of the steps is assumed to have an equal cost. If no ray
-/// ends early, the second half still takes as long as the first; if all rays do, the rest takes no time. Neither case misleads by more than
-/// a small factor, unlike an estimate by equal steps.
-fn part(ended: u64, all: u64, each: u64) -> f64 {
-    let [ended, all] = [ended.min(all), all].map(|weight| (weight as f64 / each.max(1) as f64).ln_1p());
-    if all > 0.0 { ended / all } else { 1.0 }
-}
-
-/// Returns the stage to time. Later rounds are timed as one, because timing a pass may cost more than the pass.
-fn stage_of(pass: Pass, round: u32, apart: bool) -> Stage {
-    match pass {
-        _ if round > 0 => Stage::Advance,
-        Pass::Setup => Stage::Setup,
-        Pass::Intersect if apart => Stage::Intersect,
-        Pass::Scatter if apart => Stage::Scatter,
-        Pass::Shade | Pass::Record | Pass::Refine => Stage::Shade,
-        _ => Stage::Advance,
-    }
+/// A submission in flight.
+struct Submission {
+    index: SubmissionIndex,
+    /// The weight of its steps.
+    weight: u64,
+    /// An upper bound of the number of its ray steps.
+    work: u64,
+    /// The time of the submission.
+    begun: Instant,
+    /// The number of rays that it leaves.
+    count: Option<Count>,
 }
 
 /// A sample in progress.
@@ -108,8 +105,11 @@ struct Runner<'r, 'a> {
     groups: HashMap<(Pass, Selection), BindGroup>,
     /// The steps to submit, each with its round.
     recorded: Vec<(u32, Step)>,
-    /// The submissions in flight, each with the weight of its steps.
-    under_way: VecDeque<(SubmissionIndex, u64)>,
+    /// The submissions in flight.
+    under_way: VecDeque<Submission>,
+    live: LiveRays,
+    /// The time at which the last submission ended.
+    idle_since: Instant,
     /// The weight of all steps whose submissions have ended, and the function that receives it.
     ended: u64,
     told: &'r dyn Fn(u64),
@@ -119,7 +119,21 @@ impl<'r, 'a> Runner<'r, 'a> {
     fn new(prepared: &'r Prepared<'a>, tile: &'r Tile, sample: Sample, told: &'r dyn Fn(u64)) -> Self {
         let buffers = prepared.buffers_of(sample.number);
         let (groups, recorded, under_way) = (HashMap::new(), Vec::new(), VecDeque::new());
-        Self { prepared, tile, buffers, groups, recorded, under_way, ended: 0, told }
+        let live = LiveRays::all(u64::from(tile.size[0]) * u64::from(tile.size[1]));
+        Self { prepared, tile, buffers, groups, recorded, under_way, live, idle_since: Instant::now(), ended: 0, told }
+    }
+
+    /// Submits the recorded steps if they and a step of this weight are too much for one submission.
+    fn make_room(&mut self, round: u32, weight: u64, clock: &mut Clock) -> Result<(), GpuError> {
+        let recorded = self.recorded.iter().map(|(_, step)| step.weight).sum::<u64>();
+        let rays = self.live.in_round(round).max(1);
+        if (recorded + weight).saturating_mul(rays) > self.prepared.submission.get()
+            || self.live.is_full(self.recorded.len())
+        {
+            self.submit(clock)?;
+            self.live.submitted();
+        }
+        Ok(())
     }
 
     /// Submits the recorded steps. Consecutive steps of the same stage share a compute pass.
@@ -141,7 +155,7 @@ impl<'r, 'a> Runner<'r, 'a> {
         let lists = self.prepared.plan.batch;
         let batch = |round: u32| u64::from(round) / lists.rounds;
         let key = |(round, step): &(u32, Step)| {
-            (batch(*round), stage_of(step.pass, *round, apart), step.pass == Pass::Refine)
+            (batch(*round), Stage::of(step.pass, *round, apart), step.pass == Pass::Refine)
         };
         for steps in self.recorded.chunk_by(|a, b| key(a) == key(b)) {
             let ((batch, stage, refines), (round, first)) = (key(&steps[0]), steps[0]);
@@ -170,9 +184,23 @@ impl<'r, 'a> Runner<'r, 'a> {
             drop(pass);
             clock.settle(&mut encoder);
         }
+        let mut count = self.recorded.last().and_then(|(round, step)| self.count(*round, step, &mut encoder));
+        let index = gpu.queue.submit([encoder.finish()]);
+        count.iter_mut().for_each(Count::request);
+        let work = self.recorded.iter().map(|(round, step)| step.weight.saturating_mul(self.live.in_round(*round)));
+        let work = work.fold(0, u64::saturating_add);
         let weight = self.recorded.drain(..).map(|(_, step)| step.weight).sum();
-        self.under_way.push_back((gpu.queue.submit([encoder.finish()]), weight));
+        self.under_way.push_back(Submission { index, weight, work, begun: Instant::now(), count });
         self.wait(IN_FLIGHT)
+    }
+
+    /// Records the copy of the number of rays that a step leaves.
+    fn count(&self, round: u32, step: &Step, encoder: &mut CommandEncoder) -> Option<Count> {
+        let prepared = self.prepared;
+        let layout = prepared.program.layout(&Role::Arguments(Access::Write))?;
+        let offset = u64::from(layout.field("x")?.offset);
+        let section = prepared.plan.batch.place(step.written, round);
+        Count::record(prepared.gpu, self.tile, (step.written, round), (section, offset), encoder)
     }
 
     fn bind(&mut self, i: usize) -> Result<(), GpuError> {
@@ -234,33 +262,24 @@ impl<'r, 'a> Runner<'r, 'a> {
     /// Waits until at most `left` submissions are in flight.
     fn wait(&mut self, left: usize) -> Result<(), GpuError> {
         while self.under_way.len() > left {
-            let Some((index, weight)) = self.under_way.pop_front() else { break };
+            let Some(Submission { index, weight, work, begun, count }) = self.under_way.pop_front() else { break };
             self.prepared
                 .gpu
                 .device
                 .poll(PollType::Wait { submission_index: Some(index), timeout: None })
                 .map_err(|error| GpuError::Lost(error.to_string()))?;
+            // The device begins a submission when the previous one has ended.
+            let now = Instant::now();
+            self.prepared.submission.learn(work, now - begun.max(self.idle_since));
+            self.idle_since = now;
+            if let Some(count) = count
+                && let Some(rays) = count.take()
+            {
+                self.live.know(count.list, count.round, rays);
+            }
             self.ended += weight;
             (self.told)(self.ended);
         }
         Ok(())
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    #[allow(clippy::float_cmp)] // ends of a sample are exact
-    fn parts_of_a_sample_grow_to_the_whole() {
-        for all in [1, 5, 1000] {
-            let parts: Vec<f64> = (0..=all).map(|ended| part(ended, all, 1)).collect();
-            assert!(parts.windows(2).all(|pair| pair[0] < pair[1]), "{parts:?}");
-            assert_eq!([parts[0], parts[all as usize]], [0.0, 1.0]);
-        }
-        // The weight of one step may exceed the limit of a submission on a large tile.
-        assert_eq!([part(7, 7, 0), part(0, 0, 1)], [1.0, 1.0]);
-        assert!(part(1, 1023, 1) > 0.09, "the first of many may take as long as many that follow");
     }
 }
