@@ -118,10 +118,10 @@ impl<'a> Tracer<'a> {
     ///
     /// ```no_run
     /// use bentray::render::{RenderSettings, Starts, Tracer};
-    /// use bentray::{gpu::Gpu, model::law::Straight, program::Purpose, scene::Scene};
+    /// use bentray::{gpu::Gpu, model::law::Straight, program::Mode, scene::Scene};
     ///
     /// let (gpu, scene) = (Gpu::open(None)?, Scene::new(Straight, 10.0));
-    /// let mut tracer = Tracer::new(&gpu, &scene, RenderSettings::default(), Purpose::Trace)?;
+    /// let mut tracer = Tracer::new(&gpu, &scene, RenderSettings::default(), Mode::Trace)?;
     /// for y in [0.0, 1.0, 2.0] {
     ///     let (ends, _) = tracer.follow(Starts::Given(&[[0.0, y, 0.0, 1.0, 0.0, 0.0]]))?;
     ///     println!("{:?}", ends[0].x);
