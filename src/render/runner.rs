@@ -39,7 +39,9 @@ impl Prepared<'_> {
         let rounds = self.program.features.rounds;
         let all = u64::from(rounds) * self.plan.steps.iter().map(|step| step.weight).sum::<u64>();
         let pixels = u64::from(tile.size[0]) * u64::from(tile.size[1]);
-        let told = |ended: u64| progress(part(ended, all, self.submission.get() / pixels));
+        // The size may change meanwhile, and the fraction must not fall.
+        let each = self.submission.get() / pixels;
+        let told = |ended: u64| progress(part(ended, all, each));
         let mut runner = Runner::new(self, tile, sample, &told);
         for round in 0..rounds {
             // All rounds after the first use the same values.
