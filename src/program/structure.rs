@@ -97,12 +97,16 @@ impl Structure {
         let solids = solids(listed().chain(meshes));
         let is_held = |solid: &&Primitive| solid.lists.is_none() || count(solid) >= least;
         let solids: Vec<_> = solids.into_iter().filter(is_held).collect();
+        // Straight rays and random paths have few segments, most of which end on an object. Then it costs more to find the shapes near a
+        // segment than to test them all.
+        let meets = scene.rays.path_tracing.is_some() || regions.kinds.iter().all(RegionKind::is_line);
         let in_lists = listed().filter(|object| !solids.contains(&object.solid())).count() + regions.regions.len();
+        let finds_near = scene.rays.acceleration != Accelerate::None && !(meets && solids.is_empty());
         Self {
             search,
             solids,
             written_out: scene.rays.acceleration == Accelerate::Auto,
-            near: scene.rays.acceleration != Accelerate::None && in_lists <= BITS,
+            near: finds_near && in_lists <= BITS,
             once: search == Search::Hierarchy && copies(scene) > COPIES,
         }
     }
