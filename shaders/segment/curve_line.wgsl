@@ -1,5 +1,9 @@
 // Treats a segment as its chord.
 
+fn may_meet_objects(s: Segment) -> bool {
+    return true;
+}
+
 fn segment_pieces(s: Segment) -> u32 {
     return 1u;
 }

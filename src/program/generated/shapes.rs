@@ -167,6 +167,9 @@ pub(in crate::program) fn near(
     for place in first..first + parts {
         let _ = writeln!(bits, "    near |= select(0u, NEAR_STRUCTURE, near_ball(surroundings[{place}u], c));");
     }
+    if !is_processor {
+        bits = format!("    if !may_meet_objects(s) {{\n        return 0u;\n    }}\n{bits}");
+    }
     if is_processor {
         fractions = format!("    var t: Real = 2.0;\n{fractions}    return t;\n");
     } else {
