@@ -11,7 +11,7 @@ use std::{
     sync::mpsc::{Receiver, Sender, channel},
 };
 
-use ::png::{BitDepth, ColorType, Encoder, EncodingError, SrgbRenderingIntent, StreamWriter};
+use ::png::{BitDepth, ColorType, Compression, Encoder, EncodingError, SrgbRenderingIntent, StreamWriter};
 use rayon::prelude::*;
 
 use super::color::{SrgbBytes, shown, srgb_from_linear};
@@ -154,6 +154,10 @@ fn encoder(outbox: Outbox, settings: &FileSettings) -> Result<StreamWriter<'stat
     let mut encoder = Encoder::new(outbox, width, height);
     encoder.set_color(if settings.alpha { ColorType::Rgba } else { ColorType::Rgb });
     encoder.set_depth(if settings.bits == 16 { BitDepth::Sixteen } else { BitDepth::Eight });
+    if settings.bits == 8 {
+        // Twenty times as fast as the default, for files a fifth larger. The low bytes of 16 bits are noise, which it would expand.
+        encoder.set_compression(Compression::Fast);
+    }
     encoder.set_source_srgb(SrgbRenderingIntent::Perceptual);
     let own = [(PART, part_words(settings)), (SHOWN, shown_words(settings))];
     let said = settings.metadata.iter().map(|(key, text)| (key.as_str(), text.clone()));

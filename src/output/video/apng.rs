@@ -1,6 +1,6 @@
 //! The animated PNG format, which is lossless and produces large files.
 
-use png::{BitDepth, ColorType, Encoder, SrgbRenderingIntent};
+use png::{BitDepth, ColorType, Compression, Encoder, SrgbRenderingIntent};
 
 use super::Frames;
 use crate::output::png::encode_error;
@@ -15,6 +15,7 @@ pub(super) fn write(file: &mut AtomicFile, frames: &mut Frames, _: &'static str)
     let mut encoder = Encoder::new(file, frames.size[0], frames.size[1]);
     encoder.set_color(ColorType::Rgba);
     encoder.set_depth(BitDepth::Eight);
+    encoder.set_compression(Compression::Fast);
     encoder.set_source_srgb(SrgbRenderingIntent::Perceptual);
     encoder.set_animated(frames.count() as u32, 0).map_err(failed)?;
     let (part, whole) = delay(frames.rate);
