@@ -3,6 +3,7 @@
 use std::error::Error;
 use std::num::NonZeroU64;
 
+use rayon::prelude::*;
 use wgpu::{
     BindGroupLayoutDescriptor, BindGroupLayoutEntry, BindingType, BufferBindingType, ComputePipelineDescriptor,
     ErrorFilter, PipelineCompilationOptions, PipelineLayoutDescriptor, ShaderModule, ShaderModuleDescriptor,
@@ -23,7 +24,7 @@ pub struct Pipelines {
 }
 
 impl Pipelines {
-    /// Compiles the program for the device and for images of `width` pixels; rejects programs that exceed the limits of the device.
+    /// Compiles the passes of the program in parallel for the device and for images of `width` pixels; rejects programs that exceed the limits of the device.
     ///
     /// # Errors
     ///
@@ -37,7 +38,7 @@ impl Pipelines {
             stage.advance(1.0);
             Ok((*pass, pipeline))
         };
-        Ok(Self { passes: program.passes.iter().map(made).collect::<Result<_, GpuError>>()?, group })
+        Ok(Self { passes: program.passes.par_iter().map(made).collect::<Result<_, GpuError>>()?, group })
     }
 
     /// Returns the pipeline of `pass`, if the program has it.
