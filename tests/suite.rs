@@ -5,6 +5,7 @@ mod support;
 mod absorptions;
 mod accelerate;
 mod accuracy;
+mod backends;
 mod cameras;
 mod charged_holes;
 mod cli;
