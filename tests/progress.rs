@@ -92,7 +92,7 @@ fn samples_that_end_are_reported() {
     let ball = ball(&["image.samples=5", "rays.lighting=path-tracing"]);
     let looks = Looks(&progress, RefCell::default());
     let mut renderer = Renderer::new(&gpu, &ball, RenderSettings::default()).unwrap();
-    renderer.render_watched(&mut |_| Ok(()), &Watch { preview: Some(&looks), earlier: None }).unwrap();
+    renderer.render_watched(&mut |_| Ok(()), &Watch { preview: Some(&looks), ..Watch::default() }).unwrap();
     let looks = looks.1.into_inner();
     assert!(looks.len() > 2, "{looks:?}");
     for (samples, done) in looks {

@@ -21,6 +21,30 @@ pub(super) trait CommandResult {
     fn json(&self) -> Value;
 }
 
+/// A result that is printed later.
+#[derive(Debug)]
+pub(super) struct Deferred {
+    text: String,
+    json: Value,
+}
+
+impl Deferred {
+    /// Returns the text and the JSON of a result.
+    pub(super) fn of(found: &impl CommandResult) -> Self {
+        Self { text: found.text(), json: found.json() }
+    }
+}
+
+impl CommandResult for Deferred {
+    fn text(&self) -> String {
+        self.text.clone()
+    }
+
+    fn json(&self) -> Value {
+        self.json.clone()
+    }
+}
+
 /// The format of results: text or JSON.
 #[derive(Debug, Clone, Copy, Args)]
 pub(super) struct Format {

@@ -286,6 +286,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
         launch,
         renderer: renderer.map(|renderer| (renderer, is_film.then_some(0))),
         is_under_way: false,
+        there: 0,
     };
     let unfollowed = work.render_all(&targets, before.map(EarlierImage::earlier).as_ref())?;
     if let Some(code) = interrupt::stopped() {

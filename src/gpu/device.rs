@@ -1,8 +1,11 @@
 //! Chooses and opens a device.
 
+use std::sync::atomic::{AtomicU64, Ordering::Relaxed};
+use std::sync::{Arc, Mutex};
+
 use wgpu::{
-    Adapter, AdapterInfo, Backends, Device, DeviceDescriptor, DeviceType, Features, Instance, InstanceDescriptor,
-    InstanceFlags, Limits, Queue,
+    Adapter, AdapterInfo, Backends, Buffer, CommandEncoder, Device, DeviceDescriptor, DeviceType, Features, Instance,
+    InstanceDescriptor, InstanceFlags, Limits, PollType, Queue, SubmissionIndex,
 };
 
 use super::GpuError;
@@ -37,6 +40,10 @@ pub struct Gpu {
     /// The receiver of progress reports; nobody, unless set by [`Gpu::reporting`].
     pub progress: Progress,
     pub(super) compiled: Compiled,
+    /// The numbers of submissions and waits so far.
+    traffic: [AtomicU64; 2],
+    /// Free buffers that the host can read.
+    pub(crate) staging: Arc<Mutex<Vec<Buffer>>>,
 }
 
 /// One line of `bentray devices`.
@@ -81,10 +88,10 @@ fn found() -> Vec<Adapter> {
 
 /// Returns the profile of a device. Every CPU is assumed to run programs like Mesa's software driver.
 fn profile(device: &AdapterInfo) -> DeviceProfile {
-    if device.device_type == DeviceType::Cpu {
-        DeviceProfile::cpu(device.subgroup_max_size)
-    } else {
-        DeviceProfile::GPU
+    match device.device_type {
+        DeviceType::Cpu => DeviceProfile::cpu(device.subgroup_max_size),
+        DeviceType::DiscreteGpu => DeviceProfile::discrete(),
+        _ => DeviceProfile::GPU,
     }
 }
 
@@ -163,13 +170,33 @@ impl Gpu {
         let across = profile.group_width.unwrap_or(number(GROUP_WIDTH));
         let group = [across, number("GROUP") / across];
         let (progress, compiled) = (Progress::default(), Compiled::default());
-        Ok(Self { device, queue, info, limits, timestamps, f64, group, profile, progress, compiled })
+        let (traffic, staging) = Default::default();
+        Ok(Self { device, queue, info, limits, timestamps, f64, group, profile, progress, compiled, traffic, staging })
     }
 
     /// Returns the device with all work on it reported to `progress`.
     #[must_use]
     pub fn reporting(self, progress: Progress) -> Self {
         Self { progress, ..self }
+    }
+
+    /// Submits the recorded commands.
+    pub(crate) fn submit(&self, encoder: CommandEncoder) -> SubmissionIndex {
+        self.traffic[0].fetch_add(1, Relaxed);
+        self.queue.submit([encoder.finish()])
+    }
+
+    /// Waits for the end of a submission.
+    pub(crate) fn wait(&self, submission: SubmissionIndex) -> Result<(), GpuError> {
+        self.traffic[1].fetch_add(1, Relaxed);
+        let wait = PollType::Wait { submission_index: Some(submission), timeout: None };
+        self.device.poll(wait).map(|_| ()).map_err(|error| GpuError::Lost(error.to_string()))
+    }
+
+    /// Returns the numbers of submissions and of waits for their ends since the device was opened.
+    #[must_use]
+    pub fn traffic(&self) -> [u64; 2] {
+        self.traffic.each_ref().map(|count| count.load(Relaxed))
     }
 
     /// Returns an error if `needed` is more than the device allows.

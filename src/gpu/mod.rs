@@ -42,7 +42,7 @@ pub use light_grid_data::{LightGridData, LightVolume, light_bytes};
 pub use limits::{check_meshes, mesh_capacity};
 pub use pipeline::Pipelines;
 pub use records::pack;
-pub use slots::{List, PixelListKind, SECTION, Sections, Selection, Slots};
+pub use slots::{FRAMES, List, PixelListKind, SECTION, Sections, Selection, Slots};
 pub use structure::{AccelStructure, Grid};
 pub use textures::halved_pictures;
 pub use tile::{Memory, Tile, memory};

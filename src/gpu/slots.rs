@@ -110,6 +110,8 @@ impl Selection {
 
 /// The distance between sections of a buffer, in bytes; it meets the alignment of any device.
 pub const SECTION: u64 = 256;
+/// The number of sections for the frames of samples in flight.
+pub const FRAMES: u64 = 64;
 
 /// The numbers of sections of the buffers of which each dispatch sees one section.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -137,6 +139,6 @@ impl Sections {
     #[must_use]
     pub fn bytes(&self) -> u64 {
         let lists = [PixelListKind::Active, PixelListKind::Open, PixelListKind::Wanted].map(|list| 2 * self.of(list));
-        SECTION * (self.parameters + lists.iter().sum::<u64>())
+        SECTION * (FRAMES + self.parameters + lists.iter().sum::<u64>())
     }
 }

@@ -10,7 +10,7 @@ use wgpu::{
 };
 
 use super::pipeline::texture_format;
-use super::slots::{List, PixelListKind, SECTION, Sections, Selection};
+use super::slots::{FRAMES, List, PixelListKind, SECTION, Sections, Selection};
 use super::{Gpu, GpuError, Pipeline, SceneBuffers};
 use crate::program::{Access, Binding, BindingKind, Pass, Program, Role, Slot};
 
@@ -123,6 +123,7 @@ pub struct Tile {
     lists: BTreeMap<List, Buffer>,
     /// The arguments of dispatches over the lists.
     arguments: BTreeMap<List, Buffer>,
+    sections: Sections,
 }
 
 /// A resource to bind.
@@ -138,7 +139,8 @@ impl Tile {
         let allowed = u64::from(gpu.limits.max_texture_dimension_2d);
         gpu.check("max_texture_dimension_2d", "pixels along one side of a tile", allowed, side)?;
         let (textures, buffers) = (BTreeMap::new(), BTreeMap::new());
-        let mut tile = Self { size, textures, buffers, lists: BTreeMap::new(), arguments: BTreeMap::new() };
+        let (lists_of, arguments) = (BTreeMap::new(), BTreeMap::new());
+        let mut tile = Self { size, textures, buffers, lists: lists_of, arguments, sections: *sections };
         let pixels = u64::from(size[0]) * u64::from(size[1]);
         for PerPixel { role, storage } in per_pixel(program) {
             match storage {
@@ -160,7 +162,7 @@ impl Tile {
                 tile.arguments.insert(list, buffer(gpu, &label, SECTION * sections.of(of), usage)?);
             }
         }
-        for (role, bytes) in [(Role::Parameters, SECTION * sections.parameters), (Role::Frame, 64)] {
+        for (role, bytes) in [(Role::Parameters, SECTION * sections.parameters), (Role::Frame, SECTION * FRAMES)] {
             let uniform = buffer(gpu, &role.to_string(), bytes, BufferUsages::UNIFORM)?;
             tile.buffers.insert(role, uniform);
         }
@@ -169,6 +171,11 @@ impl Tile {
             tile.add_storage(gpu, &Role::Refined, 8)?;
         }
         Ok(tile)
+    }
+
+    /// Returns `true` if the tile has this size and these sections.
+    pub(crate) fn is_like(&self, size: [u32; 2], sections: &Sections) -> bool {
+        self.size == size && self.sections == *sections
     }
 
     /// Adds a buffer of zeros.
@@ -228,7 +235,7 @@ impl Tile {
             let resource = match bound {
                 Bound::View(view) => BindingResource::TextureView(view),
                 Bound::Buffer(buffer) => {
-                    let size = if binding.role.is_per_dispatch() { NonZeroU64::new(16) } else { None };
+                    let size = if binding.role.is_per_dispatch() { NonZeroU64::new(SECTION) } else { None };
                     BindingResource::Buffer(BufferBinding { buffer, offset: 0, size })
                 }
             };

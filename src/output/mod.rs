@@ -7,6 +7,7 @@
 //! plots are SVG or PNG ([`plot`]), and a page of HTML shows them next to their tables ([`report`]). Identical input gives identical bytes.
 
 pub mod atomic;
+mod background;
 pub mod band;
 pub mod color;
 pub mod csv;
@@ -27,6 +28,7 @@ mod whole;
 use std::path::Path;
 
 pub use atomic::{AtomicFile, abandon_unfinished, destination};
+pub use background::BackgroundWriter;
 pub use error::OutputError;
 pub use merge::merge;
 pub use said::{said, settings_of};

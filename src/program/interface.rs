@@ -160,7 +160,7 @@ impl Role {
     /// Returns `true` if each dispatch uses a separate section of the buffer.
     #[must_use]
     pub fn is_per_dispatch(&self) -> bool {
-        matches!(self, Self::Parameters | Self::Arguments(_))
+        matches!(self, Self::Frame | Self::Parameters | Self::Arguments(_))
     }
 }
 

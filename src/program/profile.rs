@@ -9,6 +9,8 @@ pub struct DeviceProfile {
     pub group_width: Option<u32>,
     /// The number of pixels that one invocation of the pass `whole` follows, one below the other.
     pub lane_pixels: u32,
+    /// The maximum number of pixels of a tile whose paths are followed in one dispatch; drivers fail on more if paths are long.
+    pub whole_pixels: u64,
     /// Whether the device is a CPU, on which each invocation is a lane of a vector. A
     /// CPU reads uniforms fastest before any loop, and selects faster than it branches.
     pub is_processor: bool,
@@ -39,7 +41,14 @@ impl DeviceProfile {
     }
 
     /// The default; a GPU needs as many invocations as possible.
-    pub const GPU: Self = Self { loop_budget: None, group_width: None, lane_pixels: 1, is_processor: false };
+    pub const GPU: Self =
+        Self { loop_budget: None, group_width: None, lane_pixels: 1, whole_pixels: 1 << 20, is_processor: false };
+
+    /// Returns the profile of a discrete GPU, which is so fast that the end of a dispatch, when few groups are left, takes a part of it.
+    #[must_use]
+    pub fn discrete() -> Self {
+        Self { whole_pixels: 1 << 22, ..Self::GPU }
+    }
 
     /// Returns the profile of Mesa's lavapipe, which runs `lanes` invocations side by side on a CPU.
     ///
@@ -49,7 +58,7 @@ impl DeviceProfile {
     #[must_use]
     pub fn cpu(lanes: u32) -> Self {
         let loop_budget = Some(LoopBudget { iterations: 65_535, lanes: lanes.max(1) });
-        Self { loop_budget, group_width: Some(64), lane_pixels: 8, is_processor: true }
+        Self { loop_budget, group_width: Some(64), lane_pixels: 8, is_processor: true, ..Self::GPU }
     }
 }
 

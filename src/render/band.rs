@@ -1,7 +1,12 @@
 //! Stores rows of an image in host memory: the output of finished tiles, and the input of file writers.
 
+use rayon::prelude::*;
+
 use super::{RenderError, Totals};
 use crate::program::{Layer, LayerKind};
+
+/// Returns the bits of a component of a pixel.
+pub(super) type Words<'w> = dyn Fn(usize, usize) -> u32 + Sync + 'w;
 
 /// The values of a layer, row by row.
 #[derive(Debug, Clone, PartialEq)]
@@ -69,18 +74,18 @@ pub(super) struct TilePlace {
 }
 
 impl TilePlace {
-    /// Copies the values of a tile without its margin, row by row, into complete rows of the image.
-    pub fn put<T: Copy>(&self, rows: &mut [T], width: u32, values: impl Iterator<Item = T>) {
-        for (i, value) in values.enumerate() {
-            let (row, column) = (i / self.width as usize, i % self.width as usize);
-            let own = column < (self.width - self.margin) as usize;
-            if let Some(place) = rows.get_mut(row * width as usize + self.left as usize + column).filter(|_| own) {
-                *place = value;
-            }
-        }
+    /// Copies the values of a tile's pixels without its margin into complete rows of the image, on all cores. `value` receives the number
+    /// of the pixel in the tile.
+    pub fn put<T: Send>(&self, rows: &mut [T], width: u32, value: impl Fn(usize) -> T + Sync) {
+        let own = self.left as usize..(self.left + self.width - self.margin) as usize;
+        rows.par_chunks_mut(width as usize).enumerate().for_each(|(y, row)| {
+            let first = y * self.width as usize;
+            row[own.clone()].iter_mut().zip(first..).for_each(|(place, pixel)| *place = value(pixel));
+        });
     }
 
-    pub fn put_layer(&self, layer: Layer, band: &mut Band, words: &[u32]) {
+    /// Copies a layer into the band. `words` receives the number of the pixel in the tile, and the component.
+    pub fn put_layer(&self, layer: Layer, band: &mut Band, words: &Words) {
         let (width, pixels) = (band.width, band.width as usize * band.rows as usize);
         let at = if let Some(at) = band.layers.iter().position(|(l, _)| *l == layer) {
             at
@@ -88,13 +93,13 @@ impl TilePlace {
             band.layers.push((layer, empty_plane(layer, pixels)));
             band.layers.len() - 1
         };
-        let floats = |step: usize, k: usize| words.iter().skip(k).step_by(step).map(|bits| f32::from_bits(*bits));
+        let float = |k: usize| move |pixel| f32::from_bits(words(pixel, k));
         match &mut band.layers[at].1 {
-            Plane::Scalar(values) => self.put(values, width, floats(1, 0)),
-            Plane::Id(values) => self.put(values, width, words.iter().copied()),
+            Plane::Scalar(values) => self.put(values, width, float(0)),
+            Plane::Id(values) => self.put(values, width, |pixel| words(pixel, 0)),
             Plane::Vector(values) => {
                 for (k, values) in values.iter_mut().enumerate() {
-                    self.put(values, width, floats(3, k));
+                    self.put(values, width, float(k));
                 }
             }
         }

@@ -9,6 +9,7 @@ use super::tile::TileEnd;
 use super::watch::{EarlierSamples, Preview, Round, Watch};
 use super::{Adaptive, Clamped, Noise, RenderError, Renderer, Totals, Window};
 use crate::gpu::Tile;
+use crate::program::Layer;
 use crate::progress::Stage;
 
 impl Renderer<'_> {
@@ -59,11 +60,13 @@ impl Renderer<'_> {
         let mut totals = Totals { adaptive: self.adaptive(), noise, clamped, ..Totals::default() };
         let (first, samples) = (watch.earlier.map_or(0, |earlier| earlier.samples), self.prepared.scene.image.samples);
         let stage = self.prepared.gpu.progress.part("rendering", f64::from(samples.saturating_sub(first)), 1.0);
+        let kept = self.prepared.settings.options.layers.clone();
+        let wanted = watch.layers.unwrap_or(&kept);
         let own = match watch.preview {
-            Some(preview) => self.preview((preview, &stage), watch, &mut clock, &mut totals)?,
+            Some(preview) => self.preview((preview, &stage), watch, wanted, &mut clock, &mut totals)?,
             None => None,
         };
-        let last = Round::new(own.as_ref().or(watch.earlier), samples, true);
+        let last = Round::new(own.as_ref().or(watch.earlier), samples, true, wanted);
         self.render_round(rows, &mut clock, &last.told(&stage, first), &mut totals)?;
         self.prepared.finish_totals(&mut totals, &clock, started)?;
         Ok(totals)
@@ -75,6 +78,7 @@ impl Renderer<'_> {
         &mut self,
         (preview, stage): (&dyn Preview, &Stage),
         watch: &Watch,
+        wanted: &[Layer],
         clock: &mut Clock,
         totals: &mut Totals,
     ) -> Result<Option<EarlierSamples>, RenderError> {
@@ -90,7 +94,7 @@ impl Renderer<'_> {
             }
             let begun = Instant::now();
             let mut all = Bands::default();
-            let round = Round::new(before, until, false).told(stage, first);
+            let round = Round::new(before, until, false, wanted).told(stage, first);
             self.render_round(&mut all.sink(), clock, &round, totals)?;
             let band = all.whole.unwrap_or_else(|| self.band(0, 0));
             preview.look(&band, until)?;
@@ -108,7 +112,7 @@ impl Renderer<'_> {
         round: &Round,
         totals: &mut Totals,
     ) -> Result<(), RenderError> {
-        let mut tile = None;
+        let mut tile = self.tile.take();
         let mut first_row = 0;
         while first_row < self.window().size[1] {
             let before = totals.clone();
@@ -122,6 +126,7 @@ impl Renderer<'_> {
             }
             rows(band)?;
         }
+        self.tile = tile;
         Ok(())
     }
 
@@ -141,10 +146,8 @@ impl Renderer<'_> {
         let mut band = self.band(first_row, tile_rows);
         for left in (0..width).step_by(tile_width as usize) {
             let size = [tile_width.min(width - left), tile_rows];
-            let made = match &*tile {
-                Some(made) if made.size == size.map(|side| side + margin) => made,
-                _ => tile.insert(self.prepared.tile(size.map(|side| side + margin))?),
-            };
+            let made = self.prepared.tile_after(tile.take(), size.map(|side| side + margin))?;
+            let made = &*tile.insert(made);
             let [all, done, own] =
                 [[width, height], [width, first_row], size].map(|[x, y]| f64::from(x) * f64::from(y));
             let done = done + f64::from(left) * f64::from(tile_rows);
@@ -158,7 +161,7 @@ impl Renderer<'_> {
             }
             let noise = totals.noise.as_mut().filter(|_| round.is_last);
             let values = self.read_values(made)?;
-            values.put(left, round, &self.prepared.settings.options.layers, &mut band, noise);
+            values.put(left, round, &mut band, noise);
             if let Some(clamped) = &mut totals.clamped {
                 values.add_clamped(round, clamped);
             }
@@ -218,7 +221,7 @@ impl Renderer<'_> {
             }
             let mut band = self.band(0, size[1]);
             let wanted = &self.prepared.settings.options.layers;
-            self.read_values(&tile)?.put(0, &Round::new(None, 1, true), wanted, &mut band, None);
+            self.read_values(&tile)?.put(0, &Round::new(None, 1, true, wanted), &mut band, None);
             self.prepared.finish_totals(&mut totals, &clock, started)?;
             return Ok(Some(Rendering { band, totals }));
         }
@@ -253,11 +256,9 @@ impl Renderer<'_> {
         if let Some(earlier) = round.earlier {
             earlier.put(self.prepared.gpu, &self.prepared.program, tile, part)?;
         }
-        for number in first..round.until {
-            let sample = Sample { origin, image: self.prepared.scene.image.size, number, refines: None };
-            let done = |part: f64| progress((f64::from(number - first) + part) / f64::from(round.until - first));
-            self.prepared.run_sample(tile, sample, clock, &done)?;
-        }
+        let image = self.prepared.scene.image.size;
+        let samples = (first..round.until).map(|number| Sample { origin, image, number, refines: None });
+        self.prepared.run_samples(tile, samples, clock, progress)?;
         Ok(())
     }
 }

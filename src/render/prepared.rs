@@ -172,8 +172,12 @@ impl<'a> Prepared<'a> {
 
     /// Returns the buffers that a sample shows.
     pub(super) fn buffers_of(&self, sample: u32) -> &SceneBuffers {
-        let moment = (sample as usize).checked_rem(self.moments.len()).map(|k| &self.moments[k]);
-        moment.map_or(&self.buffers, |moment| &moment.buffers)
+        self.moments.get(self.moment_of(sample)).map_or(&self.buffers, |moment| &moment.buffers)
+    }
+
+    /// Returns the index of the moment that a sample shows; 0 if there are none.
+    pub(super) fn moment_of(&self, sample: u32) -> usize {
+        (sample as usize).checked_rem(self.moments.len()).unwrap_or(0)
     }
 
     /// Returns the layout of the buffer for a binding with this role.

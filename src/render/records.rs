@@ -1,13 +1,13 @@
 //! Reads the values that passes write for the host, by their names in WGSL.
 
-use super::readback::read_buffers;
+use super::readback::{Bytes, read_buffers};
 use crate::gpu::{Gpu, GpuError, Tile};
 use crate::program::{Field, Layout, Program, Role};
 
 /// The structs of a buffer.
 pub(super) struct Records<'a> {
     layout: Option<&'a Layout>,
-    bytes: Vec<u8>,
+    bytes: Option<Bytes>,
 }
 
 impl<'a> Records<'a> {
@@ -28,7 +28,7 @@ impl<'a> Records<'a> {
         let bound = roles.iter().zip(layouts).filter(|(_, layout)| layout.is_some());
         let buffers: Vec<_> = bound.filter_map(|(role, _)| tile.buffer(role)).collect();
         let mut read = read_buffers(gpu, &buffers, |_| {})?.into_iter();
-        let mut bytes = |layout: Option<_>| layout.and_then(|_| read.next()).unwrap_or_default();
+        let mut bytes = |layout: Option<_>| layout.and_then(|_| read.next());
         Ok(layouts.map(|layout| Self { layout, bytes: bytes(layout) }))
     }
 
@@ -36,34 +36,40 @@ impl<'a> Records<'a> {
     pub(super) fn take(gpu: &Gpu, program: &'a Program, tile: &Tile, role: &Role) -> Result<Self, GpuError> {
         let records = Self::read(gpu, program, tile, role)?;
         if let Some(buffer) = tile.buffer(role) {
-            gpu.queue.write_buffer(buffer, 0, &vec![0; records.bytes.len()]);
+            gpu.queue.write_buffer(buffer, 0, &vec![0; records.bytes().len()]);
         }
         Ok(records)
     }
 
     pub(super) fn rows(&self) -> impl Iterator<Item = Row<'_>> {
         self.layout.into_iter().flat_map(|layout| {
-            let rows = self.bytes.chunks_exact(layout.span as usize);
+            let rows = self.bytes().chunks_exact(layout.span as usize);
             rows.map(move |bytes| Row { layout, bytes })
         })
     }
 
-    /// Returns a 32-bit member of every struct; `None` if there is no such member.
-    pub(super) fn column<const N: usize>(&self, name: &str) -> Option<impl Iterator<Item = [u32; N]>> {
-        let field = self.field(name)?;
-        Some(self.rows().map(move |row| row.words(field)))
+    /// Returns the number of structs.
+    pub(super) fn count(&self) -> usize {
+        self.layout.map_or(0, |layout| self.bytes().len() / layout.span as usize)
     }
 
-    /// Writes a scalar of a 32-bit member of a struct.
-    pub(super) fn set(&mut self, row: usize, field: &Field, k: usize, value: f32) {
-        let span = self.layout.map_or(0, |layout| layout.span as usize);
-        let at = row * span + field.offset as usize + 4 * k;
-        self.bytes[at..at + 4].copy_from_slice(&value.to_ne_bytes());
+    /// Returns a function of the struct's number and the component, which returns a word of a 32-bit member; `None` if there is no such
+    /// member.
+    pub(super) fn column<'s>(&'s self, name: &str) -> Option<impl Fn(usize, usize) -> u32 + Sync + use<'s, 'a>> {
+        let (span, offset) = (self.layout?.span as usize, self.field(name)?.offset as usize);
+        let words: &[u32] = bytemuck::cast_slice(self.bytes());
+        let (span, offset) = (span / 4, offset / 4);
+        Some(move |row: usize, k: usize| words[row * span + offset + k])
     }
 
     /// Returns the bytes of all structs, as on the device.
     pub(super) fn bytes(&self) -> &[u8] {
-        &self.bytes
+        self.bytes.as_deref().unwrap_or_default()
+    }
+
+    /// Returns the offset of a scalar of a 32-bit member of a struct in the bytes; `None` if there is no such member.
+    pub(super) fn offset(&self, row: usize, name: &str, k: usize) -> Option<usize> {
+        Some(row * self.layout?.span as usize + self.field(name)?.offset as usize + 4 * k)
     }
 
     /// Returns a member, which callers should look up once for many rows.

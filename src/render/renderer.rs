@@ -7,7 +7,7 @@ use super::grids::LightGrids;
 use super::light_grid::grids_of;
 use super::prepared::Prepared;
 use super::{LightReport, RenderError, RenderSettings};
-use crate::gpu::{Gpu, GpuError, Stored};
+use crate::gpu::{Gpu, GpuError, Stored, Tile};
 use crate::model::Control;
 use crate::program::{Mode, Program};
 use crate::scene::Scene;
@@ -16,6 +16,8 @@ use crate::scene::Scene;
 #[derive(Debug)]
 pub struct Renderer<'a> {
     pub(super) prepared: Prepared<'a>,
+    /// The tile of the previous image, for the next one.
+    pub(super) tile: Option<Tile>,
 }
 
 impl<'a> Renderer<'a> {
@@ -55,7 +57,7 @@ impl<'a> Renderer<'a> {
     fn of(gpu: &'a Gpu, scene: Cow<'a, Scene>, mut settings: RenderSettings) -> Result<Self, RenderError> {
         settings.options.mode = Mode::Picture;
         let grids = grids_of(gpu, &scene, &settings)?;
-        Ok(Self { prepared: Prepared::new(gpu, scene, settings, grids)? })
+        Ok(Self { prepared: Prepared::new(gpu, scene, settings, grids)?, tile: None })
     }
 
     /// Returns the linked program.

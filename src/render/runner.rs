@@ -10,9 +10,7 @@
 use std::collections::{HashMap, VecDeque};
 use std::time::Instant;
 
-use wgpu::{
-    BindGroup, CommandEncoder, CommandEncoderDescriptor, ComputePass, ComputePassDescriptor, PollType, SubmissionIndex,
-};
+use wgpu::{BindGroup, CommandEncoder, CommandEncoderDescriptor, ComputePass, ComputePassDescriptor, SubmissionIndex};
 
 use super::clock::{Clock, Stage};
 use super::live_rays::{Count, LiveRays};
@@ -20,15 +18,15 @@ use super::prepared::Prepared;
 use super::sample::Sample;
 use super::step::{Dispatch, Step};
 use super::submission_size::part;
-use crate::gpu::{GpuError, List, PixelListKind, SECTION, SceneBuffers, Selection, Tile};
+use crate::gpu::{FRAMES, GpuError, List, PixelListKind, SECTION, Selection, Tile};
 use crate::program::{Access, Pass, Role};
 
 /// The maximum number of submissions in flight.
 const IN_FLIGHT: usize = 3;
 
 impl Prepared<'_> {
-    /// Runs one sample of a tile with all its rounds, in submissions short enough for any driver. `progress` receives the completed
-    /// fraction of the work whenever a submission ends; the last call receives 1.
+    /// Runs one sample of a tile with all its rounds. `progress` receives the completed fraction of the work whenever a submission ends; the
+    /// last call receives 1.
     pub(super) fn run_sample(
         &self,
         tile: &Tile,
@@ -36,40 +34,28 @@ impl Prepared<'_> {
         clock: &mut Clock,
         progress: &dyn Fn(f64),
     ) -> Result<(), GpuError> {
+        self.run_samples(tile, std::iter::once(sample), clock, progress)
+    }
+
+    /// Runs samples of a tile like [`run_sample`](Self::run_sample), without a wait between them, in submissions short enough for any
+    /// driver.
+    pub(super) fn run_samples(
+        &self,
+        tile: &Tile,
+        samples: impl ExactSizeIterator<Item = Sample>,
+        clock: &mut Clock,
+        progress: &dyn Fn(f64),
+    ) -> Result<(), GpuError> {
         let rounds = self.program.features.rounds;
         let all = u64::from(rounds) * self.plan.steps.iter().map(|step| step.weight).sum::<u64>();
         let pixels = u64::from(tile.size[0]) * u64::from(tile.size[1]);
+        self.submission.begin_tile();
         // The size may change meanwhile, and the fraction must not fall.
         let each = self.submission.get() / pixels;
-        let told = |ended: u64| progress(part(ended, all, each));
-        let mut runner = Runner::new(self, tile, sample, &told);
-        for round in 0..rounds {
-            // All rounds after the first use the same values.
-            if round < 2 {
-                runner.submit(clock)?;
-                self.write_sample(tile, sample, round)?;
-            }
-            let mut last = None;
-            for step in &self.plan.steps {
-                // The lists are complete at the end of an iteration.
-                if last.replace(step.iteration) != Some(step.iteration) {
-                    runner.make_room(round, step.weight, clock)?;
-                }
-                if runner.live.in_round(round) > 0 || step.dispatch != Dispatch::PixelListKind {
-                    runner.recorded.push((round, step.in_round(round, sample.refines)));
-                }
-            }
-            if runner.live.is_done() {
-                break;
-            }
-        }
-        if let Some(refines) = sample.refines {
-            if rounds > 1 {
-                runner.submit(clock)?;
-                self.write_sample(tile, sample, 0)?;
-            }
-            runner.recorded.push((0, Step::refining(refines, self.settings.options.masks)));
-        }
+        let count = samples.len() as f64;
+        let told = |ended: Reached| progress((ended.sample as f64 + part(ended.weight, all, each)) / count);
+        let mut runner = Runner::new(self, tile, &told);
+        samples.enumerate().try_for_each(|(k, sample)| runner.record(k, sample, clock))?;
         runner.submit(clock)?;
         runner.wait(0)?;
         progress(1.0);
@@ -78,19 +64,40 @@ impl Prepared<'_> {
 
     /// Runs some steps at once, outside the loop over a whole sample.
     pub(super) fn run_steps(&self, tile: &Tile, sample: Sample, steps: &[Step]) -> Result<(), GpuError> {
-        self.write_sample(tile, sample, 0)?;
-        let mut runner = Runner::new(self, tile, sample, &|_| {});
-        runner.recorded.extend(steps.iter().map(|step| (0, *step)));
-        runner.submit(&mut Clock::new(self.gpu, false))?;
+        let mut clock = Clock::new(self.gpu, false);
+        let mut runner = Runner::new(self, tile, &|_| {});
+        runner.begin_round(sample, 0, &mut clock)?;
+        for step in steps {
+            runner.push(0, *step);
+        }
+        runner.submit(&mut clock)?;
         runner.wait(0)
     }
+}
+
+/// A position in the work on a tile: the number of completed samples, and the weight of the completed steps of the next one.
+#[derive(Debug, Clone, Copy, Default)]
+struct Reached {
+    sample: usize,
+    weight: u64,
+}
+
+/// A step to submit.
+#[derive(Debug, Clone, Copy)]
+struct Recorded {
+    round: u32,
+    step: Step,
+    /// The section with its frame.
+    frame: u64,
+    /// The number of the sample in the image, which selects the moment that it shows.
+    number: u32,
 }
 
 /// A submission in flight.
 struct Submission {
     index: SubmissionIndex,
-    /// The weight of its steps.
-    weight: u64,
+    /// The position at its end.
+    reached: Reached,
     /// An upper bound of the number of its ray steps.
     work: u64,
     /// The time of the submission.
@@ -99,39 +106,98 @@ struct Submission {
     count: Option<Count>,
 }
 
-/// A sample in progress.
+/// Samples in progress.
 struct Runner<'r, 'a> {
     prepared: &'r Prepared<'a>,
     tile: &'r Tile,
-    buffers: &'r SceneBuffers,
-    groups: HashMap<(Pass, Selection), BindGroup>,
-    /// The steps to submit, each with its round.
-    recorded: Vec<(u32, Step)>,
+    groups: HashMap<(Pass, Selection, usize), BindGroup>,
+    /// The steps to submit, and the number of their ray steps.
+    recorded: Vec<Recorded>,
+    work: u64,
+    /// The section with the current frame, and the number of its sample.
+    frame: (u64, u32),
+    /// The position after the recorded steps.
+    reached: Reached,
     /// The submissions in flight.
     under_way: VecDeque<Submission>,
     live: LiveRays,
     /// The time at which the last submission ended.
     idle_since: Instant,
-    /// The weight of all steps whose submissions have ended, and the function that receives it.
-    ended: u64,
-    told: &'r dyn Fn(u64),
+    /// The function that receives the position at the end of each submission.
+    told: &'r dyn Fn(Reached),
 }
 
 impl<'r, 'a> Runner<'r, 'a> {
-    fn new(prepared: &'r Prepared<'a>, tile: &'r Tile, sample: Sample, told: &'r dyn Fn(u64)) -> Self {
-        let buffers = prepared.buffers_of(sample.number);
-        let (groups, recorded, under_way) = (HashMap::new(), Vec::new(), VecDeque::new());
-        let live = LiveRays::all(u64::from(tile.size[0]) * u64::from(tile.size[1]));
-        Self { prepared, tile, buffers, groups, recorded, under_way, live, idle_since: Instant::now(), ended: 0, told }
+    fn new(prepared: &'r Prepared<'a>, tile: &'r Tile, told: &'r dyn Fn(Reached)) -> Self {
+        Self {
+            prepared,
+            tile,
+            groups: HashMap::new(),
+            recorded: Vec::new(),
+            work: 0,
+            frame: (FRAMES - 1, 0),
+            reached: Reached::default(),
+            under_way: VecDeque::new(),
+            live: LiveRays::all(pixels(tile)),
+            idle_since: Instant::now(),
+            told,
+        }
+    }
+
+    /// Records the k-th sample, and submits its steps when they are enough.
+    fn record(&mut self, k: usize, sample: Sample, clock: &mut Clock) -> Result<(), GpuError> {
+        let prepared = self.prepared;
+        self.reached = Reached { sample: k, weight: 0 };
+        self.live = LiveRays::all(pixels(self.tile));
+        for round in 0..prepared.program.features.rounds {
+            // All rounds after the first use the same frame.
+            if round < 2 {
+                self.begin_round(sample, round, clock)?;
+            }
+            let mut last = None;
+            for step in &prepared.plan.steps {
+                // The lists are complete at the end of an iteration.
+                if last.replace(step.iteration) != Some(step.iteration) {
+                    self.make_room(round, step.weight, clock)?;
+                }
+                if self.live.in_round(round) > 0 || step.dispatch != Dispatch::PixelListKind {
+                    self.push(round, step.in_round(round, sample.refines));
+                }
+            }
+            if self.live.is_done() {
+                break;
+            }
+        }
+        if let Some(refines) = sample.refines {
+            self.begin_round(sample, 0, clock)?;
+            self.push(0, Step::refining(refines, prepared.settings.options.masks));
+        }
+        Ok(())
+    }
+
+    /// Writes the frame of a round for the steps that follow.
+    fn begin_round(&mut self, sample: Sample, round: u32, clock: &mut Clock) -> Result<(), GpuError> {
+        let next = (self.frame.0 + 1) % FRAMES;
+        if next == 0 {
+            // Recorded steps may use the frames that are overwritten.
+            self.submit(clock)?;
+        }
+        self.frame = (next, sample.number);
+        self.prepared.write_sample(self.tile, sample, round, next)
+    }
+
+    fn push(&mut self, round: u32, step: Step) {
+        let (frame, number) = self.frame;
+        self.recorded.push(Recorded { round, step, frame, number });
+        self.work = self.work.saturating_add(step.weight.saturating_mul(self.live.in_round(round)));
+        self.reached.weight += step.weight;
     }
 
     /// Submits the recorded steps if they and a step of this weight are too much for one submission.
     fn make_room(&mut self, round: u32, weight: u64, clock: &mut Clock) -> Result<(), GpuError> {
-        let recorded = self.recorded.iter().map(|(_, step)| step.weight).sum::<u64>();
-        let rays = self.live.in_round(round).max(1);
-        if (recorded + weight).saturating_mul(rays) > self.prepared.submission.get()
-            || self.live.is_full(self.recorded.len())
-        {
+        let more = weight.saturating_mul(self.live.in_round(round).max(1));
+        let is_full = self.work.saturating_add(more) > self.prepared.submission.get();
+        if !self.recorded.is_empty() && (is_full || self.live.is_full(self.recorded.len())) {
             self.submit(clock)?;
             self.live.submitted();
         }
@@ -145,7 +211,7 @@ impl<'r, 'a> Runner<'r, 'a> {
         }
         let gpu = self.prepared.gpu;
         for i in 0..self.recorded.len() {
-            self.bind(i)?;
+            self.bind(self.recorded[i])?;
         }
         let mut encoder = gpu.device.create_command_encoder(&CommandEncoderDescriptor { label: None });
         let apart = clock.apart;
@@ -156,11 +222,11 @@ impl<'r, 'a> Runner<'r, 'a> {
         }
         let lists = self.prepared.plan.batch;
         let batch = |round: u32| u64::from(round) / lists.rounds;
-        let key = |(round, step): &(u32, Step)| {
+        let key = |Recorded { round, step, .. }: &Recorded| {
             (batch(*round), Stage::of(step.pass, *round, apart), step.pass == Pass::Refine)
         };
         for steps in self.recorded.chunk_by(|a, b| key(a) == key(b)) {
-            let ((batch, stage, refines), (round, first)) = (key(&steps[0]), steps[0]);
+            let ((batch, stage, refines), Recorded { round, step: first, .. }) = (key(&steps[0]), steps[0]);
             if let (true, Some(buffer)) = (refines, self.tile.arguments(lists.place(first.written, round).list)) {
                 encoder.clear_buffer(buffer, 0, None);
             }
@@ -170,9 +236,10 @@ impl<'r, 'a> Runner<'r, 'a> {
             let timestamp_writes = clock.next(gpu, stage);
             let mut pass = encoder.begin_compute_pass(&ComputePassDescriptor { label: None, timestamp_writes });
             let mut current = None;
-            for (round, step) in steps {
-                let key = (step.pass, lists.selection(step, *round));
-                let (Some(pipeline), Some(group)) = (self.prepared.pipelines.get(step.pass), self.groups.get(&key))
+            for recorded in steps {
+                let step = &recorded.step;
+                let (Some(pipeline), Some(group)) =
+                    (self.prepared.pipelines.get(step.pass), self.groups.get(&self.key(recorded)))
                 else {
                     continue;
                 };
@@ -180,20 +247,20 @@ impl<'r, 'a> Runner<'r, 'a> {
                     pass.set_pipeline(&pipeline.pipeline);
                     current = Some(step.pass);
                 }
-                pass.set_bind_group(0, group, &self.offsets(step, *round));
-                self.dispatch(&mut pass, step, *round);
+                pass.set_bind_group(0, group, &self.offsets(recorded));
+                self.dispatch(&mut pass, step, recorded.round);
             }
             drop(pass);
             clock.settle(&mut encoder);
         }
-        let mut count = self.recorded.last().and_then(|(round, step)| self.count(*round, step, &mut encoder));
-        let index = gpu.queue.submit([encoder.finish()]);
+        let mut count = self.recorded.last().and_then(|last| self.count(last.round, &last.step, &mut encoder));
+        let index = gpu.submit(encoder);
         count.iter_mut().for_each(Count::request);
-        let work = self.recorded.iter().map(|(round, step)| step.weight.saturating_mul(self.live.in_round(*round)));
-        let work = work.fold(0, u64::saturating_add);
-        let weight = self.recorded.drain(..).map(|(_, step)| step.weight).sum();
-        self.under_way.push_back(Submission { index, weight, work, begun: Instant::now(), count });
-        self.wait(IN_FLIGHT)
+        self.recorded.clear();
+        let work = std::mem::take(&mut self.work);
+        self.under_way.push_back(Submission { index, reached: self.reached, work, begun: Instant::now(), count });
+        // The first one shows how large the others may be.
+        self.wait(if self.prepared.submission.is_known() { IN_FLIGHT } else { 0 })
     }
 
     /// Records the copy of the number of rays that a step leaves.
@@ -205,12 +272,17 @@ impl<'r, 'a> Runner<'r, 'a> {
         Count::record(prepared.gpu, self.tile, (step.written, round), (section, offset), encoder)
     }
 
-    fn bind(&mut self, i: usize) -> Result<(), GpuError> {
-        let (round, step) = self.recorded[i];
+    /// Returns the key of a step's bind group.
+    fn key(&self, Recorded { round, step, number, .. }: &Recorded) -> (Pass, Selection, usize) {
+        (step.pass, self.prepared.plan.batch.selection(step, *round), self.prepared.moment_of(*number))
+    }
+
+    fn bind(&mut self, recorded: Recorded) -> Result<(), GpuError> {
         let prepared = self.prepared;
-        let key = (step.pass, prepared.plan.batch.selection(&step, round));
-        if let (false, Some(pipeline)) = (self.groups.contains_key(&key), prepared.pipelines.get(step.pass)) {
-            let group = self.tile.bind_group(prepared.gpu, pipeline, self.buffers, key.1)?;
+        let key = self.key(&recorded);
+        if let (false, Some(pipeline)) = (self.groups.contains_key(&key), prepared.pipelines.get(key.0)) {
+            let buffers = prepared.buffers_of(recorded.number);
+            let group = self.tile.bind_group(prepared.gpu, pipeline, buffers, key.1)?;
             self.groups.insert(key, group);
         }
         Ok(())
@@ -232,13 +304,14 @@ impl<'r, 'a> Runner<'r, 'a> {
     }
 
     /// Returns the offsets of the step's sections in the divided buffers, in the order of the bindings.
-    fn offsets(&self, step: &Step, round: u32) -> Vec<u32> {
+    fn offsets(&self, Recorded { round, step, frame, .. }: &Recorded) -> Vec<u32> {
         let plan = &self.prepared.plan;
         let bindings = self.prepared.pipelines.get(step.pass).map_or(&[][..], |pipeline| &pipeline.bindings);
         let offset = |role: &Role| match role {
+            Role::Frame => Some(frame * SECTION),
             Role::Parameters => Some(plan.parameters_of(step) * SECTION),
-            Role::Arguments(Access::Read) => Some(plan.batch.place(step.read, round).offset()),
-            Role::Arguments(Access::Write) => Some(plan.batch.place(step.written, round).offset()),
+            Role::Arguments(Access::Read) => Some(plan.batch.place(step.read, *round).offset()),
+            Role::Arguments(Access::Write) => Some(plan.batch.place(step.written, *round).offset()),
             _ => None,
         };
         bindings.iter().filter_map(|binding| offset(&binding.role)).map(|offset| offset as u32).collect()
@@ -264,24 +337,23 @@ impl<'r, 'a> Runner<'r, 'a> {
     /// Waits until at most `left` submissions are in flight.
     fn wait(&mut self, left: usize) -> Result<(), GpuError> {
         while self.under_way.len() > left {
-            let Some(Submission { index, weight, work, begun, count }) = self.under_way.pop_front() else { break };
-            self.prepared
-                .gpu
-                .device
-                .poll(PollType::Wait { submission_index: Some(index), timeout: None })
-                .map_err(|error| GpuError::Lost(error.to_string()))?;
+            let Some(Submission { index, reached, work, begun, count }) = self.under_way.pop_front() else { break };
+            self.prepared.gpu.wait(index)?;
             // The device begins a submission when the previous one has ended.
             let now = Instant::now();
             self.prepared.submission.learn(work, now - begun.max(self.idle_since));
             self.idle_since = now;
-            if let Some(count) = count
+            if let Some(count) = count.filter(|_| reached.sample == self.reached.sample)
                 && let Some(rays) = count.take()
             {
                 self.live.know(count.list, count.round, rays);
             }
-            self.ended += weight;
-            (self.told)(self.ended);
+            (self.told)(reached);
         }
         Ok(())
     }
+}
+
+fn pixels(tile: &Tile) -> u64 {
+    u64::from(tile.size[0]) * u64::from(tile.size[1])
 }

@@ -1,41 +1,63 @@
 //! Adapts the size of submissions to the device, and estimates the fraction of a sample that has ended. A submission should be long enough
 //! that the device does not wait for the host, and short enough for any driver.
 
-use std::sync::atomic::{AtomicU64, Ordering::Relaxed};
+use std::sync::atomic::{AtomicBool, AtomicU64, Ordering::Relaxed};
 use std::time::Duration;
 
 /// The number of ray steps of the first submission: a few tenths of a second on a CPU, and less than a millisecond on a fast GPU.
 const FIRST: u64 = 1 << 26;
 /// The limits of the number of ray steps.
-const LIMITS: [u64; 2] = [1 << 20, 1 << 36];
-/// A submission that takes less time may double, and one that takes more is halved. Drivers abort a submission after two seconds or more.
+const LIMITS: [u64; 2] = [1 << 20, 1 << 40];
+/// The largest number for the first submission of a tile: its rays may take far longer than those of the tile before, which ended early.
+const FIRST_OF_TILE: u64 = 1 << 34;
+/// A submission that takes less time may grow, and one that takes more shrinks. Drivers abort a submission after two seconds or more.
 const TIMES: [Duration; 2] = [Duration::from_millis(50), Duration::from_millis(400)];
+/// The time that a changed size should take, in seconds.
+const AIM: f64 = 0.1;
+/// The largest factor between two sizes.
+const FACTOR: f64 = 256.0;
 
 /// The number of ray steps of one submission. It decides where submissions end, and nothing else.
 #[derive(Debug)]
-pub(super) struct SubmissionSize(AtomicU64);
+pub(super) struct SubmissionSize {
+    steps: AtomicU64,
+    is_known: AtomicBool,
+}
 
 impl Default for SubmissionSize {
     fn default() -> Self {
-        Self(AtomicU64::new(FIRST))
+        Self { steps: AtomicU64::new(FIRST), is_known: AtomicBool::new(false) }
     }
 }
 
 impl SubmissionSize {
     pub(super) fn get(&self) -> u64 {
-        self.0.load(Relaxed)
+        self.steps.load(Relaxed)
+    }
+
+    /// Returns `true` if a submission of this tile has been timed.
+    pub(super) fn is_known(&self) -> bool {
+        self.is_known.load(Relaxed)
+    }
+
+    /// Forgets the times of another tile.
+    pub(super) fn begin_tile(&self) {
+        self.is_known.store(false, Relaxed);
+        self.steps.store(self.get().min(FIRST_OF_TILE), Relaxed);
     }
 
     /// Takes into account that a submission of at most `work` ray steps took this time.
     pub(super) fn learn(&self, work: u64, took: Duration) {
-        let size = self.get();
+        self.is_known.store(true, Relaxed);
+        let size = self.get() as f64;
+        let aimed = work as f64 * AIM / took.as_secs_f64().max(1e-6);
         let next = match took {
-            // Only a submission that was nearly full shows that a larger one is short, too.
-            _ if took < TIMES[0] && work > size / 4 => size * 2,
-            _ if took > TIMES[1] => size / 2,
+            // A short submission does not show that a long one is as fast, because most of its time may be overhead.
+            _ if took < TIMES[0] => aimed.clamp(size, FACTOR * size),
+            _ if took > TIMES[1] => aimed.clamp(size / FACTOR, size),
             _ => size,
         };
-        self.0.store(next.clamp(LIMITS[0], LIMITS[1]), Relaxed);
+        self.steps.store((next as u64).clamp(LIMITS[0], LIMITS[1]), Relaxed);
     }
 }
 

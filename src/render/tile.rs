@@ -9,7 +9,7 @@ use super::prepared::Prepared;
 use super::records::Records;
 use super::sample::Sample;
 use super::{RenderError, Totals};
-use crate::gpu::{GpuError, SECTION, Tile, pack};
+use crate::gpu::{GpuError, SECTION, Sections, Tile, pack};
 use crate::program::Role;
 
 /// The outcome of a tile.
@@ -23,15 +23,18 @@ pub(super) enum TileEnd {
 impl Prepared<'_> {
     /// Creates a tile of this program's state.
     pub(super) fn tile(&self, size: [u32; 2]) -> Result<Tile, GpuError> {
-        let scope = self.gpu.device.push_error_scope(ErrorFilter::OutOfMemory);
-        let plan = &self.plan;
-        let tile = Tile::new(self.gpu, &self.program, size, &plan.sections())?;
-        if let Some(error) = pollster::block_on(scope.pop()) {
-            let what = format!("a tile of {}×{} pixels", size[0], size[1]);
-            return Err(GpuError::Full { what, reason: error.to_string() });
-        }
+        self.tile_after(None, size)
+    }
+
+    /// Returns a tile of this program's state: an earlier one of the same program, if it is like it, or a new one.
+    pub(super) fn tile_after(&self, earlier: Option<Tile>, size: [u32; 2]) -> Result<Tile, GpuError> {
+        let sections = self.plan.sections();
+        let tile = match earlier.filter(|earlier| earlier.is_like(size, &sections)) {
+            Some(tile) => tile,
+            None => self.new_tile(size, &sections)?,
+        };
         if let Some(layout) = self.program.layout(&Role::Parameters) {
-            for (i, parameters) in plan.parameters.iter().enumerate() {
+            for (i, parameters) in self.plan.parameters.iter().enumerate() {
                 let bytes = pack("dispatch parameters", layout, [parameters.row()])?;
                 tile.write(self.gpu, &Role::Parameters, i as u64 * SECTION, &bytes);
             }
@@ -39,9 +42,21 @@ impl Prepared<'_> {
         Ok(tile)
     }
 
-    pub(super) fn write_sample(&self, tile: &Tile, sample: Sample, round: u32) -> Result<(), GpuError> {
+    fn new_tile(&self, size: [u32; 2], sections: &Sections) -> Result<Tile, GpuError> {
+        let scope = self.gpu.device.push_error_scope(ErrorFilter::OutOfMemory);
+        let tile = Tile::new(self.gpu, &self.program, size, sections)?;
+        if let Some(error) = pollster::block_on(scope.pop()) {
+            let what = format!("a tile of {}×{} pixels", size[0], size[1]);
+            return Err(GpuError::Full { what, reason: error.to_string() });
+        }
+        Ok(tile)
+    }
+
+    /// Writes a sample's frame into a section of the tile's buffer.
+    pub(super) fn write_sample(&self, tile: &Tile, sample: Sample, round: u32, section: u64) -> Result<(), GpuError> {
         let Some(layout) = self.program.layout(&Role::Frame) else { return Ok(()) };
-        tile.write(self.gpu, &Role::Frame, 0, &pack("frame", layout, [sample.row(tile.size, round)])?);
+        let bytes = pack("frame", layout, [sample.row(tile.size, round)])?;
+        tile.write(self.gpu, &Role::Frame, section * SECTION, &bytes);
         Ok(())
     }
 

@@ -7,8 +7,6 @@
 use super::{Renderer, Window};
 use crate::gpu::{GpuError, SceneBuffers, memory};
 
-/// The maximum number of pixels of a tile whose paths are followed in one dispatch; drivers fail on more if paths are long.
-const WHOLE: u64 = 1 << 20;
 /// The minimum number of pixels of a tile that justifies a dispatch.
 const LEAST: u64 = 64;
 
@@ -37,7 +35,8 @@ impl Renderer<'_> {
         // The device limits the size of buffers.
         let buffer =
             self.prepared.gpu.limits.max_storage_buffer_binding_size.min(self.prepared.gpu.limits.max_buffer_size);
-        let most = if self.prepared.is_whole() { WHOLE } else { u64::MAX };
+        let whole = self.prepared.gpu.profile.whole_pixels;
+        let most = if self.prepared.is_whole() { whole } else { u64::MAX };
         let pixels =
             bought.min(most).min(self.prepared.settings.tile_pixels).min(buffer / memory.largest_item()).max(LEAST);
         // The corners of a tile have one more column and row.

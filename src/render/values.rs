@@ -1,13 +1,13 @@
 //! Reads the values of a finished tile: colors, layers, errors, and clamped light.
 
 use super::adaptive::Moments;
-use super::band::{Band, TilePlace};
+use super::band::{Band, TilePlace, Words};
 use super::noise::luminance;
 use super::records::Records;
 use super::watch::Round;
 use super::{Clamped, Noise, RenderError, Renderer};
 use crate::gpu::Tile;
-use crate::program::{Layer, LayerKind, Role};
+use crate::program::{Layer, Role};
 
 /// The stored values of a tile's pixels.
 pub(super) struct Values<'r> {
@@ -29,20 +29,20 @@ impl Renderer<'_> {
 
 impl Values<'_> {
     /// Copies the values of the tile after a round into a band; `left` is the tile's first column in the band.
-    pub(super) fn put(&self, left: u32, round: &Round, wanted: &[Layer], band: &mut Band, noise: Option<&mut Noise>) {
+    pub(super) fn put(&self, left: u32, round: &Round, band: &mut Band, noise: Option<&mut Noise>) {
         let errors = self.errors(round.until);
         let at = TilePlace { left, width: self.size[0], margin: self.margin };
         for (k, plane) in band.color.iter_mut().chain(&mut band.alpha).enumerate() {
-            at.put(plane, band.width, self.channel(k, round.until).into_iter());
+            at.put(plane, band.width, self.channel(k, round.until));
         }
-        for layer in round.layers(wanted) {
+        for layer in round.layers() {
             if let Some(words) = self.layer(layer, round.until, errors.as_deref()) {
-                at.put_layer(layer, band, &words);
+                at.put_layer(layer, band, &*words);
             }
         }
         if let (Some(errors), Some(noise)) = (errors, noise) {
             let mut own = vec![0.0; band.width as usize * band.rows as usize];
-            at.put(&mut own, band.width, errors.into_iter());
+            at.put(&mut own, band.width, |pixel| errors[pixel]);
             let columns = at.left..at.left + self.size[0] - at.margin;
             for (row, errors) in own.chunks_exact(band.width as usize).enumerate() {
                 for column in columns.clone().map(|column| column as usize) {
@@ -53,24 +53,20 @@ impl Values<'_> {
         }
     }
 
-    /// Returns the mean of a channel (red, green, blue or alpha) over this number of samples.
-    fn channel(&self, k: usize, samples: u32) -> Vec<f32> {
+    /// Returns the mean of a channel (red, green, blue or alpha) of each pixel over this number of samples.
+    fn channel(&self, k: usize, samples: u32) -> Box<dyn Fn(usize) -> f32 + Sync + '_> {
         let weight = 1.0 / samples as f32;
         if let Some(moments) = &self.moments {
-            return moments.iter().map(|moments| moments.color[k]).collect();
+            return Box::new(move |pixel| moments[pixel].color[k]);
         }
-        if k < 3 {
-            return self.sums(k).map(|sum| sum * weight).collect();
+        let (name, k) = if k < 3 { ("color", k) } else { ("alpha", 0) };
+        let Some(sums) = self.pixels.column(name) else { return Box::new(|_| 0.0) };
+        let mean = move |pixel| f32::from_bits(sums(pixel, k)) * weight;
+        if name == "color" {
+            return Box::new(mean);
         }
-        let sums = self.pixels.column("alpha").into_iter().flatten();
         // From inside a medium, the sky may appear brighter than outside, so the mean may exceed 1.
-        sums.map(|[sum]| (f32::from_bits(sum) * weight).clamp(0.0, 1.0)).collect()
-    }
-
-    /// Returns the sums of a channel's samples.
-    fn sums(&self, k: usize) -> impl Iterator<Item = f32> {
-        let sums = self.pixels.column::<3>("color").into_iter().flatten();
-        sums.map(move |color| f32::from_bits(color[k]))
+        Box::new(move |pixel| mean(pixel).clamp(0.0, 1.0))
     }
 
     /// Returns the standard error of every pixel after `samples` samples, infinite for one sample; `None` if no errors were stored.
@@ -79,30 +75,28 @@ impl Values<'_> {
             return Some(moments.iter().map(Moments::error).collect());
         }
         let n = samples as f32;
-        let error = |[bits]: [u32; 1]| {
+        let error = |bits: u32| {
             if n > 1.0 { (f32::from_bits(bits) / (n * (n - 1.0))).max(0.0).sqrt() } else { f32::INFINITY }
         };
-        Some(self.pixels.column("spread")?.map(error).collect())
+        let spread = self.pixels.column("spread")?;
+        Some((0..self.pixels.count()).map(|pixel| error(spread(pixel, 0))).collect())
     }
 
-    /// Returns a layer, in one or three words per pixel; `None` if it was not stored.
-    fn layer(&self, layer: Layer, samples: u32, errors: Option<&[f32]>) -> Option<Vec<u32>> {
-        let number = |name: &str| Some(self.pixels.column::<1>(name)?.flatten().collect());
-        let vector = |name: &str| Some(self.pixels.column::<3>(name)?.flatten().collect::<Vec<_>>());
+    /// Returns the words of a layer, one or three per pixel; `None` if it was not stored.
+    fn layer<'v>(&'v self, layer: Layer, samples: u32, errors: Option<&'v [f32]>) -> Option<Box<Words<'v>>> {
+        let column = |name: &str| -> Option<Box<Words<'v>>> { Some(Box::new(self.pixels.column(name)?)) };
         match (layer, &self.moments) {
-            (Layer::StandardError, _) => Some(errors?.iter().map(|error| error.to_bits()).collect()),
-            (Layer::Samples, Some(moments)) => Some(moments.iter().map(|moments| moments.rays).collect()),
-            (Layer::Samples, None) => Some(vec![samples; self.size.map(|n| n as usize).iter().product()]),
-            (Layer::Accumulated, None) => vector("color"),
-            (Layer::LuminanceM2, None) => number("spread"),
+            (Layer::StandardError, _) => errors.map(|all| -> Box<Words> { Box::new(|pixel, _| all[pixel].to_bits()) }),
+            (Layer::Samples, Some(moments)) => Some(Box::new(|pixel, _| moments[pixel].rays)),
+            (Layer::Samples, None) => Some(Box::new(move |_, _| samples)),
+            (Layer::Accumulated, None) => column("color"),
+            (Layer::LuminanceM2, None) => column("spread"),
             (Layer::Accumulated | Layer::LuminanceM2, Some(_)) => None,
             (Layer::ImageOrder, _) => {
-                let weight = 1.0 / samples as f32;
-                let mean = |sum: u32| (f32::from_bits(sum) * weight).to_bits();
-                Some(vector("orders")?.into_iter().map(mean).collect())
+                let (sums, weight) = (self.pixels.column("orders")?, 1.0 / samples as f32);
+                Some(Box::new(move |pixel, k| (f32::from_bits(sums(pixel, k)) * weight).to_bits()))
             }
-            (layer, _) if layer.kind() == LayerKind::Vector => vector(&format!("layer_{}", layer.name())),
-            (layer, _) => number(&format!("layer_{}", layer.name())),
+            (layer, _) => column(&format!("layer_{}", layer.name())),
         }
     }
 
@@ -110,17 +104,18 @@ impl Values<'_> {
     pub(super) fn add_clamped(&self, round: &Round, sums: &mut Clamped) {
         let (samples, light) = (self.pixels.column("clamped_samples"), self.pixels.column("clamped_light"));
         let (Some(samples), Some(light)) = (samples, light) else { return };
-        sums.samples += samples.map(|[n]| u64::from(n)).sum::<u64>();
-        sums.lost += light.map(|[bits]| f64::from(f32::from_bits(bits))).sum::<f64>();
+        let pixels = 0..self.pixels.count();
+        sums.samples += pixels.clone().map(|pixel| u64::from(samples(pixel, 0))).sum::<u64>();
+        sums.lost += pixels.clone().map(|pixel| f64::from(f32::from_bits(light(pixel, 0)))).sum::<f64>();
         if !round.is_last {
             return;
         }
-        sums.left += match &self.moments {
-            Some(moments) => {
-                let light = |moments: &Moments| f64::from(moments.color[..3].iter().sum::<f32>()) / 3.0;
-                moments.iter().map(|moments| light(moments) * f64::from(moments.rays)).sum::<f64>()
-            }
-            None => (0..3).map(|k| self.sums(k).map(f64::from).sum::<f64>() / 3.0).sum(),
-        };
+        if let Some(moments) = &self.moments {
+            let light = |moments: &Moments| f64::from(moments.color[..3].iter().sum::<f32>()) / 3.0;
+            sums.left += moments.iter().map(|moments| light(moments) * f64::from(moments.rays)).sum::<f64>();
+        } else if let Some(color) = self.pixels.column("color") {
+            let channel = |k| pixels.clone().map(|pixel| f64::from(f32::from_bits(color(pixel, k)))).sum::<f64>();
+            sums.left += (0..3).map(|k| channel(k) / 3.0).sum::<f64>();
+        }
     }
 }

@@ -16,6 +16,8 @@ pub struct Watch<'w> {
     pub earlier: Option<&'w EarlierSamples>,
     /// The preview of the unfinished image; not available for adaptive images, whose pixels do not take their samples together.
     pub preview: Option<&'w dyn Preview>,
+    /// The layers to read back; `None` for all that the program keeps.
+    pub layers: Option<&'w [Layer]>,
 }
 
 /// Receives an image while it is rendered.
@@ -44,13 +46,15 @@ pub(super) struct Round<'r> {
     pub until: u32,
     /// `true` if the image is complete after this round.
     pub is_last: bool,
+    /// The layers of the image.
+    wanted: &'r [Layer],
     /// The stage of the whole image, whose units are samples, and its first sample.
     told: Option<(&'r Stage, u32)>,
 }
 
 impl<'r> Round<'r> {
-    pub fn new(earlier: Option<&'r EarlierSamples>, until: u32, is_last: bool) -> Self {
-        Self { earlier, until, is_last, told: None }
+    pub fn new(earlier: Option<&'r EarlierSamples>, until: u32, is_last: bool, wanted: &'r [Layer]) -> Self {
+        Self { earlier, until, is_last, wanted, told: None }
     }
 
     /// Reports the round to the stage of the whole image, whose units are samples, starting at `first`.
@@ -70,11 +74,11 @@ impl<'r> Round<'r> {
     }
 
     /// Returns the layers that are read after the round: the layers of the image, and before its end the sums for the next round.
-    pub fn layers(&self, wanted: &[Layer]) -> Vec<Layer> {
+    pub fn layers(&self) -> Vec<Layer> {
         let sums = [Layer::Accumulated, Layer::LuminanceM2]
             .into_iter()
-            .filter(|layer| !self.is_last && !wanted.contains(layer));
-        wanted.iter().copied().chain(sums).collect()
+            .filter(|layer| !self.is_last && !self.wanted.contains(layer));
+        self.wanted.iter().copied().chain(sums).collect()
     }
 }
 
@@ -101,13 +105,14 @@ impl EarlierSamples {
     /// Writes the sums of a part of the window into a tile of that size, and keeps the other values of its pixels.
     pub(super) fn put(&self, gpu: &Gpu, program: &Program, tile: &Tile, part: Window) -> Result<(), GpuError> {
         let band = &self.band;
-        let mut pixels = Records::read(gpu, program, tile, &Role::Pixels)?;
+        let pixels = Records::read(gpu, program, tile, &Role::Pixels)?;
+        let mut bytes = pixels.bytes().to_vec();
         let Window { origin: [left, top], size: [columns, rows] } = part;
         let mut put = |name: &str, k: usize, value: &dyn Fn(usize) -> f32| {
-            let Some(field) = pixels.field(name) else { return };
             for (row, column) in (0..rows).flat_map(|row| (0..columns).map(move |column| (row, column))) {
                 let from = ((top + row) * band.width + left + column) as usize;
-                pixels.set((row * tile.size[0] + column) as usize, field, k, value(from));
+                let Some(at) = pixels.offset((row * tile.size[0] + column) as usize, name, k) else { return };
+                bytes[at..at + 4].copy_from_slice(&value(from).to_ne_bytes());
             }
         };
         if let Some(Plane::Vector(sums)) = band.layer(Layer::Accumulated) {
@@ -124,7 +129,7 @@ impl EarlierSamples {
         if let Some(Plane::Scalar(spread)) = band.layer(Layer::LuminanceM2) {
             put("spread", 0, &|at| spread[at]);
         }
-        tile.write(gpu, &Role::Pixels, 0, pixels.bytes());
+        tile.write(gpu, &Role::Pixels, 0, &bytes);
         Ok(())
     }
 

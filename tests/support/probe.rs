@@ -283,7 +283,8 @@ fn dispatch(gpu: &Gpu, linked: &LinkedProgram, reflection: &Reflection, buffers:
     {
         let mut pass = encoder.begin_compute_pass(&wgpu::ComputePassDescriptor::default());
         pass.set_pipeline(&pipeline.pipeline);
-        pass.set_bind_group(0, &group, &[]);
+        let sections = reflection.bindings.iter().filter(|binding| binding.role.is_per_dispatch()).map(|_| 0);
+        pass.set_bind_group(0, &group, &sections.collect::<Vec<_>>());
         pass.dispatch_workgroups(count.div_ceil(64) as u32, 1, 1);
     }
     gpu.queue.submit([encoder.finish()]);

@@ -1,5 +1,6 @@
 //! Renders frames one after the other, with the programs that were compiled for the first.
 
+use std::collections::VecDeque;
 use std::time::Instant;
 
 use indicatif::{HumanBytes, HumanDuration};
@@ -8,6 +9,7 @@ use super::picture::{Made, Picture};
 use super::{Arguments, warn};
 use crate::cli::choose_method::{Settled, settle};
 use crate::cli::decisions::Rays;
+use crate::cli::format::Deferred;
 use crate::cli::frames::Film;
 use crate::cli::interrupt;
 use crate::cli::origin::origin;
@@ -17,9 +19,10 @@ use crate::cli::watch::PreviewFile;
 use crate::error::Error;
 use crate::gpu::Gpu;
 use crate::measure::Verification;
-use crate::output::ImageWriter;
+use crate::output::BackgroundWriter;
 use crate::output::origin::COMPARED;
 use crate::program::Layer;
+use crate::progress::Stage;
 use crate::render::{
     EarlierSamples, Preview, RenderError, RenderSettings, Renderer, StartPart, StartUp, Totals, Watch, Window,
 };
@@ -43,6 +46,23 @@ pub(super) struct Work<'a> {
     pub renderer: Option<(Renderer<'a>, Option<u32>)>,
     /// `true` once something has been rendered.
     pub is_under_way: bool,
+    /// The number of targets that existed already.
+    pub there: usize,
+}
+
+/// Returns the largest number of targets whose files are written while another is rendered: one for each core.
+fn most_written() -> usize {
+    std::thread::available_parallelism().map_or(1, |cores| cores.get().min(8))
+}
+
+/// A rendered target whose files may still be written.
+struct Written {
+    files: Option<BackgroundWriter>,
+    /// The result to print when they are complete.
+    result: Deferred,
+    totals: Option<Totals>,
+    /// The number of rays that could not be followed.
+    unfollowed: u64,
 }
 
 impl Arguments {
@@ -83,24 +103,27 @@ impl Work<'_> {
     /// Renders the unfinished targets. Returns the number of rays that could not be followed.
     pub(super) fn render_all(&mut self, targets: &[Target], earlier: Option<&EarlierSamples>) -> Result<u64, Error> {
         self.warn_beforehand();
-        let (mut unfollowed, mut there) = (0, 0);
+        let (mut unfollowed, mut done) = (0, 0);
         let stage = (targets.len() > 1).then(|| screen::progress().counted(unit_of(targets), targets.len()));
-        for (i, &target) in targets.iter().enumerate() {
-            match self.render(target, earlier)? {
-                Some(own) => unfollowed += own,
-                None => there += 1,
+        let mut written = VecDeque::new();
+        for &target in targets {
+            let next = self.render(target, earlier)?;
+            unfollowed += next.unfollowed;
+            written.push_back(next);
+            if written.len() > most_written() {
+                self.finish(&mut written, &mut done, stage.as_ref())?;
             }
-            interrupt::done(i + 1);
             if interrupt::is_asked() {
                 break;
             }
-            if let Some(stage) = &stage {
-                stage.reach((i + 1) as f64);
-            }
         }
-        drop(stage);
-        if there > 0 {
-            tell!("{there} of {} existed already, rendered with the same settings", targets.len());
+        let last = screen::progress().stage("finishing the files");
+        while !written.is_empty() {
+            self.finish(&mut written, &mut done, stage.as_ref())?;
+        }
+        drop((last, stage));
+        if self.there > 0 {
+            tell!("{} of {} existed already, rendered with the same settings", self.there, targets.len());
         }
         if targets.iter().any(|target| target.frame.is_some()) {
             tell!("reproduce with: {}", self.again);
@@ -108,8 +131,24 @@ impl Work<'_> {
         Ok(unfollowed)
     }
 
-    /// Renders a target, if it is not finished yet. Returns the number of rays that could not be followed.
-    fn render(&mut self, target: Target, earlier: Option<&EarlierSamples>) -> Result<Option<u64>, Error> {
+    /// Waits for the files of the first of these targets, and prints its result.
+    fn finish(&self, written: &mut VecDeque<Written>, done: &mut usize, stage: Option<&Stage>) -> Result<(), Error> {
+        let Some(Written { files, result, totals, .. }) = written.pop_front() else { return Ok(()) };
+        files.map_or(Ok(()), BackgroundWriter::finish)?;
+        self.arguments.format.tell(&result)?;
+        if let Some(totals) = &totals {
+            warn(totals);
+        }
+        *done += 1;
+        interrupt::done(*done);
+        if let Some(stage) = stage {
+            stage.reach(*done as f64);
+        }
+        Ok(())
+    }
+
+    /// Renders a target, if it is not finished yet; its files are written in the background.
+    fn render(&mut self, target: Target, earlier: Option<&EarlierSamples>) -> Result<Written, Error> {
         let begun = Instant::now();
         let Target { frame, band } = target;
         let scene = match frame {
@@ -122,23 +161,24 @@ impl Work<'_> {
         let layers = self.layers.clone();
         // A still image is rendered again at each request.
         if (frame.is_some() || band.is_some()) && self.arguments.is_finished(&scene, target, &layers, &said) {
-            self.tell(target, None)?;
-            return Ok(None);
+            self.there += 1;
+            return Ok(Written { files: None, result: self.result(target, None), totals: None, unfollowed: 0 });
         }
         let preview = self.arguments.preview(&scene, &layers, &said);
         let is_first = !std::mem::replace(&mut self.is_under_way, true);
         self.set_up(scene.clone(), frame, is_first)?;
         self.open_shutter(&scene, frame)?;
         let window = self.window(&scene, band)?;
-        let Some((renderer, _)) = &mut self.renderer else { return Ok(None) };
-        let mut writers = self.arguments.open(&scene, (target, window), &layers, &said)?;
+        let writers = self.arguments.open(&scene, (target, window), &layers, &said)?;
+        let mut files = BackgroundWriter::new(writers);
         let ready = begun.elapsed();
         screen::advise(self.arguments.preview_advice(&scene, target));
-        let totals = render(renderer, &mut writers, &mut self.launch, (earlier, preview.as_ref()))?;
+        let Some((renderer, _)) = &mut self.renderer else {
+            return Ok(Written { files: None, result: self.result(target, None), totals: None, unfollowed: 0 });
+        };
+        let totals = render(renderer, &mut files, &mut self.launch, (earlier, preview.as_ref(), &layers))?;
         screen::advise(None);
-        let stage = screen::progress().stage("finishing the files");
-        writers.into_iter().try_for_each(ImageWriter::finish)?;
-        drop(stage);
+        files.complete()?;
         let lights = self.renderer.as_ref().map(|(renderer, _)| renderer.light_reports()).unwrap_or_default();
         let made = Made {
             scene: &scene,
@@ -151,15 +191,14 @@ impl Work<'_> {
             lights: &lights,
             verification: self.verification.as_ref(),
         };
-        self.tell(target, Some(&made))?;
-        warn(&made.totals);
-        Ok(Some(made.unfollowed()))
+        let (result, unfollowed) = (self.result(target, Some(&made)), made.unfollowed());
+        Ok(Written { files: Some(files), result, totals: Some(made.totals), unfollowed })
     }
 
-    /// Prints the result of a target; `made` is `None` if it was finished before.
-    fn tell(&self, target: Target, made: Option<&Made>) -> Result<(), Error> {
+    /// Returns the result of a target; `made` is `None` if it was finished before.
+    fn result(&self, target: Target, made: Option<&Made>) -> Deferred {
         let files = self.arguments.paths(target);
-        self.arguments.format.tell(&Picture { scene: self.film.path, target, files, made })
+        Deferred::of(&Picture { scene: self.film.path, target, files, made })
     }
 
     /// Returns the window to render; for a band, the renderer is set to it.
@@ -258,9 +297,9 @@ fn settled(scene: Scene, first: &Scene) -> Scene {
 
 fn render(
     renderer: &mut Renderer,
-    writers: &mut [Box<dyn ImageWriter>],
+    files: &mut BackgroundWriter,
     launch: &mut StartUp,
-    (earlier, preview): (Option<&EarlierSamples>, Option<&PreviewFile>),
+    (earlier, preview, layers): (Option<&EarlierSamples>, Option<&PreviewFile>, &[Layer]),
 ) -> Result<Totals, RenderError> {
     let preview = preview.map(|preview| -> &dyn Preview { preview });
     renderer.render_watched(
@@ -268,10 +307,8 @@ fn render(
             if !launch.is_complete() {
                 launch.count(StartPart::FirstPicture);
             }
-            let _stage = screen::progress().stage("writing");
-            let failed = |error| RenderError::Output(Box::new(error));
-            writers.iter_mut().try_for_each(|writer| writer.write_band(&band)).map_err(failed)
+            files.write_band(band).map_err(|error| RenderError::Output(Box::new(error)))
         },
-        &Watch { earlier, preview },
+        &Watch { earlier, preview, layers: Some(layers) },
     )
 }
