@@ -1,14 +1,13 @@
 //! The limits of the device, measured by kernels that do nothing else.
 //!
-//! *Practice.* These three kernels bind a separate buffer and texture, and are timed from submission to completion. Each takes long enough
-//! to make the overhead negligible.
+//! *Practice.* These three kernels bind a separate buffer and texture, and are timed from submission to completion. Each runs in as many
+//! copies at once as make the overhead negligible and fill the device.
 
 use std::time::{Duration, Instant};
 
 use wgpu::{
     BindGroupDescriptor, BindGroupEntry, BindingResource, BufferDescriptor, BufferUsages, CommandEncoderDescriptor,
-    ComputePassDescriptor, Extent3d, PollType, Texture, TextureDescriptor, TextureDimension, TextureFormat,
-    TextureUsages,
+    ComputePassDescriptor, Extent3d, Texture, TextureDescriptor, TextureDimension, TextureFormat, TextureUsages,
 };
 
 use super::{Bench, Table, Times};
@@ -18,6 +17,10 @@ use crate::render::RenderError;
 
 /// The number of invocations of the arithmetic kernel.
 const INVOCATIONS: u32 = 1 << 16;
+/// The shortest time of a measurement.
+const SHORTEST: Duration = Duration::from_millis(20);
+/// The largest number of copies of a kernel in one dispatch on any device.
+const MOST_COPIES: u32 = 65_535;
 /// The width and height of the texture, whose texels have 16 bytes.
 const SIDE: u32 = 2048;
 /// The number of chains of the arithmetic kernel, and of floating-point operations per link.
@@ -39,10 +42,35 @@ pub(super) fn ceilings(bench: &Bench) -> Result<Table, RenderError> {
     let texture = texture(bench);
     for (name, what, unit, amount, groups) in kernels {
         let kernel = Kernel::new(bench, name, &texture)?;
-        let times = Times::of(bench.repeats, || Ok(kernel.run(groups)?))?;
-        table.rows.push(vec![what.into(), (amount / times.median * 1e-9).into(), unit.into(), times.spread.into()]);
+        let copies = kernel.copies(groups)?;
+        let times = Times::of(bench.repeats, || Ok(kernel.run(groups, copies)?))?;
+        let rate = f64::from(copies) * amount / times.median * 1e-9;
+        table.rows.push(vec![what.into(), rate.into(), unit.into(), times.spread.into()]);
     }
     Ok(table)
+}
+
+/// Arithmetic that keeps the device busy, because an idle one lowers its clock.
+pub(super) struct WarmUp<'a> {
+    kernel: Kernel<'a>,
+    copies: u32,
+}
+
+impl<'a> WarmUp<'a> {
+    /// The number of workgroups of a copy.
+    const GROUPS: [u32; 2] = [INVOCATIONS / 64, 1];
+
+    /// Compiles the kernel and finds the number of its copies.
+    pub(super) fn new(bench: &'a Bench) -> Result<Self, RenderError> {
+        let kernel = Kernel::new(bench, "multiply_add", &texture(bench))?;
+        let copies = kernel.copies(Self::GROUPS)?;
+        Ok(Self { kernel, copies })
+    }
+
+    /// Keeps the device busy for a while.
+    pub(super) fn run(&self) -> Result<(), GpuError> {
+        self.kernel.run(Self::GROUPS, self.copies).map(|_| ())
+    }
 }
 
 fn texture(bench: &Bench) -> Texture {
@@ -90,18 +118,25 @@ impl<'a> Kernel<'a> {
         Ok(Self { bench, pipeline, group })
     }
 
-    fn run(&self, [x, y]: [u32; 2]) -> Result<Duration, GpuError> {
+    /// Returns the number of copies that takes long enough.
+    fn copies(&self, groups: [u32; 2]) -> Result<u32, GpuError> {
+        let mut copies = 1;
+        while self.run(groups, copies)? < SHORTEST && copies < MOST_COPIES {
+            copies = (4 * copies).min(MOST_COPIES);
+        }
+        Ok(copies)
+    }
+
+    fn run(&self, [x, y]: [u32; 2], copies: u32) -> Result<Duration, GpuError> {
         let gpu = self.bench.gpu;
         let started = Instant::now();
         let mut encoder = gpu.device.create_command_encoder(&CommandEncoderDescriptor { label: None });
         let mut pass = encoder.begin_compute_pass(&ComputePassDescriptor { label: None, timestamp_writes: None });
         pass.set_pipeline(&self.pipeline.pipeline);
         pass.set_bind_group(0, &self.group, &[]);
-        pass.dispatch_workgroups(x, y, 1);
+        pass.dispatch_workgroups(x, y, copies);
         drop(pass);
-        let submission_index = Some(gpu.queue.submit([encoder.finish()]));
-        let waited = gpu.device.poll(PollType::Wait { submission_index, timeout: None });
-        waited.map_err(|error| GpuError::Lost(error.to_string()))?;
+        gpu.wait(gpu.submit(encoder))?;
         Ok(started.elapsed())
     }
 }

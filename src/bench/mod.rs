@@ -8,6 +8,7 @@
 mod ceiling;
 mod compaction;
 mod curves;
+mod gpu;
 mod groller;
 mod lights;
 mod limit;
@@ -29,6 +30,7 @@ use crate::render::{RenderError, RenderSettings};
 use crate::scene::Scene;
 
 pub use compaction::compaction;
+pub use gpu::gpu;
 pub use groller::groller;
 pub use lights::lights;
 pub use limit::limit;

@@ -12,7 +12,7 @@ use super::options::parse_size;
 use super::paths;
 use super::screen;
 use crate::bench::{
-    Bench, Report, compaction, groller, lights, limit, paper, paths, sampling, scaling, schedules, start,
+    Bench, Report, compaction, gpu, groller, lights, limit, paper, paths, sampling, scaling, schedules, start,
 };
 use crate::error::Error;
 use crate::gpu::Gpu;
@@ -20,7 +20,8 @@ use crate::output::report::write_report;
 use crate::output::{OutputError, has_extension};
 use crate::scene::{Mesh, Scene};
 
-/// Run benchmarks: the tables of Weiskopf et al. (2004), acceleration structures, schedules, scaling, sampling, limits, and start-up
+/// Run benchmarks: the tables of Weiskopf et al. (2004), acceleration structures, schedules, scaling, sampling, limits, start-up, and
+/// images and films on a GPU
 #[derive(Debug, Args)]
 pub(super) struct Arguments {
     /// The benchmark
@@ -39,7 +40,8 @@ pub(super) struct Arguments {
     /// Number of repetitions; each time is their median
     #[arg(long, default_value_t = 3, value_parser = clap::value_parser!(u32).range(1..=100))]
     repeats: u32,
-    /// Image size instead of 800x600, for a trial run; for `sampling` instead of 200x150, for `paths` instead of 48x48
+    /// Image size instead of 800x600, for a trial run; for `sampling` instead of 200x150, for `paths` instead of 48x48, for `gpu` instead
+    /// of 1920x1080
     #[arg(long, value_name = "WxH", value_parser = parse_size)]
     size: Option<[u32; 2]>,
     #[command(flatten)]
@@ -78,6 +80,8 @@ enum Name {
     Compaction,
     /// Time from launch to the first pixel, with an empty and a filled driver cache
     Start,
+    /// Images and films at 1920x1080: the time on the device and outside it, submissions, waits, and frames per second
+    Gpu,
     /// All benchmarks
     All,
 }
@@ -93,6 +97,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Error> {
     let usual = |name: Name| match name {
         Name::Sampling => [200, 150],
         Name::Paths => [48, 48],
+        Name::Gpu => [1920, 1080],
         _ => [800, 600],
     };
     let size = |name: Name| arguments.size.unwrap_or_else(|| usual(name));
@@ -147,9 +152,9 @@ impl CommandResult for Measured<'_> {
 }
 
 fn wanted(name: Name) -> Vec<Name> {
-    use Name::{All, Compaction, Groller, Lights, Limit, Paper, Paths, Sampling, Scaling, Schedules, Start};
+    use Name::{All, Compaction, Gpu, Groller, Lights, Limit, Paper, Paths, Sampling, Scaling, Schedules, Start};
     match name {
-        All => vec![Paper, Groller, Lights, Paths, Schedules, Scaling, Sampling, Limit, Compaction, Start],
+        All => vec![Paper, Groller, Lights, Paths, Schedules, Scaling, Sampling, Limit, Compaction, Start, Gpu],
         one => vec![one],
     }
 }
@@ -166,12 +171,13 @@ fn measure(bench: &Bench, name: Name, given: &Given) -> Result<Report, Error> {
         Name::Sampling => sampling(bench, scenes)?,
         Name::Limit | Name::All => limit(bench, scenes)?,
         Name::Compaction => compaction(bench, scenes)?,
-        Name::Start => {
-            let program = std::env::current_exe()
-                .map_err(|cause| usage!("the benchmark cannot start another bentray process: {cause}"))?;
-            start(bench, &program, &given.started)?
-        }
+        Name::Start => start(bench, &this_program()?, &given.started)?,
+        Name::Gpu => gpu(bench, &this_program()?, Path::new("scenes"))?,
     })
+}
+
+fn this_program() -> Result<PathBuf, Error> {
+    std::env::current_exe().map_err(|cause| usage!("the benchmark cannot start another bentray process: {cause}"))
 }
 
 /// The inputs of the benchmarks, read before the first of them runs.
