@@ -2,7 +2,7 @@
 
 use std::time::Duration;
 
-use super::ceiling::ceilings;
+use super::ceiling::{WarmUp, ceilings};
 use super::{Bench, Report, Table, Times};
 use crate::measure::{evaluations, every_pixel, method_words};
 use crate::model::method::CLOSED_FORMS;
@@ -64,14 +64,18 @@ fn add(bench: &Bench, name: &str, scene: &Scene, [table, shares]: [&mut Table; 2
     let mut fused = Renderer::new(bench.gpu, &scene, by(Schedule::Fused))?;
     let mut whole = Renderer::new(bench.gpu, &scene, by(Schedule::Whole))?;
     let segments = fused.choose_segments()?;
-    let rays = bench.pixels();
+    let (rays, warm_up) = (bench.pixels(), WarmUp::new(bench)?);
     let mut stages: Vec<[Duration; 5]> = Vec::new();
     let mut run_fused = || {
+        warm_up.run()?;
         let totals = fused.render()?.totals;
         stages.extend(totals.device);
         Ok(totals.advance())
     };
-    let mut run_whole = || Ok(whole.render()?.totals.advance());
+    let mut run_whole = || {
+        warm_up.run()?;
+        Ok(whole.render()?.totals.advance())
+    };
     let Some(steps) = steps else {
         let [_, c] = Times::by_turns(bench.repeats, [&mut run_fused, &mut run_whole])?;
         table.row(&[name, &words], [None::<f64>; 11]);
@@ -79,7 +83,10 @@ fn add(bench: &Bench, name: &str, scene: &Scene, [table, shares]: [&mut Table; 2
         return Ok(());
     };
     let bare = Tracer::new(bench.gpu, &scene, by(Schedule::Fused), Mode::Bare)?;
-    let mut run_bare = || bare.bare(&steps);
+    let mut run_bare = || {
+        warm_up.run()?;
+        bare.bare(&steps)
+    };
     let [a, b, c] = Times::by_turns(bench.repeats, [&mut run_bare, &mut run_fused, &mut run_whole])?;
     let all: f64 = steps.iter().map(|n| f64::from(*n)).sum();
     let mean = all / rays;

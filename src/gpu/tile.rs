@@ -173,6 +173,12 @@ impl Tile {
         Ok(tile)
     }
 
+    /// Returns the number of its pixels.
+    #[must_use]
+    pub fn pixels(&self) -> u64 {
+        u64::from(self.size[0]) * u64::from(self.size[1])
+    }
+
     /// Returns `true` if the tile has this size and these sections.
     pub(crate) fn is_like(&self, size: [u32; 2], sections: &Sections) -> bool {
         self.size == size && self.sections == *sections

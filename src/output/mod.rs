@@ -1,10 +1,11 @@
 //! The output of the program: images, tables and plots.
 //!
 //! Every file is written completely or not at all ([`AtomicFile`]), and can be created before the computation of its contents, so that an
-//! unwritable path is reported first. Image writers ([`open`], [`ImageWriter`]) receive bands of full-width rows from the top. They store
-//! one band and a compressed tail, so that memory grows with the band and not with the image. A PNG stores display colors ([`png`]); an EXR
-//! stores every plane exactly ([`exr`]), also of a part of an image, and [`merge()`] merges parts. Rays and results are CSV ([`csv`]),
-//! plots are SVG or PNG ([`plot`]), and a page of HTML shows them next to their tables ([`report`]). Identical input gives identical bytes.
+//! unwritable path is reported first. Image writers ([`open`], [`ImageWriter`]) receive bands of full-width rows from the top, also on
+//! another thread ([`BackgroundWriter`]). They store one band and a compressed tail, so that memory grows with the band and not with the
+//! image. A PNG stores display colors ([`png`]); an EXR stores every plane exactly ([`exr`]), also of a part of an image, and [`merge()`]
+//! merges parts. Rays and results are CSV ([`csv`]), plots are SVG or PNG ([`plot`]), and a page of HTML shows them next to their tables
+//! ([`report`]). Identical input gives identical bytes.
 
 pub mod atomic;
 mod background;

@@ -31,6 +31,7 @@ mod readback;
 mod records;
 mod renderer;
 mod row_bands;
+mod run;
 mod runner;
 mod sample;
 mod schedule;

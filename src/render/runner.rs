@@ -1,11 +1,12 @@
-//! Runs the passes of a sample: the loop of Figure 1 in W04.
+//! Runs the passes of samples: the loop of Figure 1 in W04.
 //!
 //! *Theory.* If surfaces split rays, a sample has as many rounds of the same steps as the tree of a path may have leaves. A pixel takes
 //! part until all its paths have been followed. The host records the steps without knowing which rays remain: passes over an empty list are
 //! indirect dispatches that do nothing.
 //!
 //! *Practice.* An empty dispatch takes a few microseconds, mostly on the host. Each submission therefore returns the number of rays that it
-//! left active; the host does not wait for it, and stops recording when the number is 0.
+//! left active; the host does not wait for it, and stops recording when the number is 0. Samples follow each other without a wait, because
+//! each has its own frame in the device's memory.
 
 use std::collections::{HashMap, VecDeque};
 use std::time::Instant;
@@ -17,69 +18,17 @@ use super::live_rays::{Count, LiveRays};
 use super::prepared::Prepared;
 use super::sample::Sample;
 use super::step::{Dispatch, Step};
-use super::submission_size::part;
 use crate::gpu::{FRAMES, GpuError, List, PixelListKind, SECTION, Selection, Tile};
 use crate::program::{Access, Pass, Role};
 
 /// The maximum number of submissions in flight.
 const IN_FLIGHT: usize = 3;
 
-impl Prepared<'_> {
-    /// Runs one sample of a tile with all its rounds. `progress` receives the completed fraction of the work whenever a submission ends; the
-    /// last call receives 1.
-    pub(super) fn run_sample(
-        &self,
-        tile: &Tile,
-        sample: Sample,
-        clock: &mut Clock,
-        progress: &dyn Fn(f64),
-    ) -> Result<(), GpuError> {
-        self.run_samples(tile, std::iter::once(sample), clock, progress)
-    }
-
-    /// Runs samples of a tile like [`run_sample`](Self::run_sample), without a wait between them, in submissions short enough for any
-    /// driver.
-    pub(super) fn run_samples(
-        &self,
-        tile: &Tile,
-        samples: impl ExactSizeIterator<Item = Sample>,
-        clock: &mut Clock,
-        progress: &dyn Fn(f64),
-    ) -> Result<(), GpuError> {
-        let rounds = self.program.features.rounds;
-        let all = u64::from(rounds) * self.plan.steps.iter().map(|step| step.weight).sum::<u64>();
-        let pixels = u64::from(tile.size[0]) * u64::from(tile.size[1]);
-        self.submission.begin_tile();
-        // The size may change meanwhile, and the fraction must not fall.
-        let each = self.submission.get() / pixels;
-        let count = samples.len() as f64;
-        let told = |ended: Reached| progress((ended.sample as f64 + part(ended.weight, all, each)) / count);
-        let mut runner = Runner::new(self, tile, &told);
-        samples.enumerate().try_for_each(|(k, sample)| runner.record(k, sample, clock))?;
-        runner.submit(clock)?;
-        runner.wait(0)?;
-        progress(1.0);
-        Ok(())
-    }
-
-    /// Runs some steps at once, outside the loop over a whole sample.
-    pub(super) fn run_steps(&self, tile: &Tile, sample: Sample, steps: &[Step]) -> Result<(), GpuError> {
-        let mut clock = Clock::new(self.gpu, false);
-        let mut runner = Runner::new(self, tile, &|_| {});
-        runner.begin_round(sample, 0, &mut clock)?;
-        for step in steps {
-            runner.push(0, *step);
-        }
-        runner.submit(&mut clock)?;
-        runner.wait(0)
-    }
-}
-
 /// A position in the work on a tile: the number of completed samples, and the weight of the completed steps of the next one.
 #[derive(Debug, Clone, Copy, Default)]
-struct Reached {
-    sample: usize,
-    weight: u64,
+pub(super) struct Reached {
+    pub sample: usize,
+    pub weight: u64,
 }
 
 /// A step to submit.
@@ -107,7 +56,7 @@ struct Submission {
 }
 
 /// Samples in progress.
-struct Runner<'r, 'a> {
+pub(super) struct Runner<'r, 'a> {
     prepared: &'r Prepared<'a>,
     tile: &'r Tile,
     groups: HashMap<(Pass, Selection, usize), BindGroup>,
@@ -128,7 +77,7 @@ struct Runner<'r, 'a> {
 }
 
 impl<'r, 'a> Runner<'r, 'a> {
-    fn new(prepared: &'r Prepared<'a>, tile: &'r Tile, told: &'r dyn Fn(Reached)) -> Self {
+    pub(super) fn new(prepared: &'r Prepared<'a>, tile: &'r Tile, told: &'r dyn Fn(Reached)) -> Self {
         Self {
             prepared,
             tile,
@@ -138,17 +87,17 @@ impl<'r, 'a> Runner<'r, 'a> {
             frame: (FRAMES - 1, 0),
             reached: Reached::default(),
             under_way: VecDeque::new(),
-            live: LiveRays::all(pixels(tile)),
+            live: LiveRays::all(tile.pixels()),
             idle_since: Instant::now(),
             told,
         }
     }
 
     /// Records the k-th sample, and submits its steps when they are enough.
-    fn record(&mut self, k: usize, sample: Sample, clock: &mut Clock) -> Result<(), GpuError> {
+    pub(super) fn record(&mut self, k: usize, sample: Sample, clock: &mut Clock) -> Result<(), GpuError> {
         let prepared = self.prepared;
         self.reached = Reached { sample: k, weight: 0 };
-        self.live = LiveRays::all(pixels(self.tile));
+        self.live = LiveRays::all(self.tile.pixels());
         for round in 0..prepared.program.features.rounds {
             // All rounds after the first use the same frame.
             if round < 2 {
@@ -176,7 +125,7 @@ impl<'r, 'a> Runner<'r, 'a> {
     }
 
     /// Writes the frame of a round for the steps that follow.
-    fn begin_round(&mut self, sample: Sample, round: u32, clock: &mut Clock) -> Result<(), GpuError> {
+    pub(super) fn begin_round(&mut self, sample: Sample, round: u32, clock: &mut Clock) -> Result<(), GpuError> {
         let next = (self.frame.0 + 1) % FRAMES;
         if next == 0 {
             // Recorded steps may use the frames that are overwritten.
@@ -186,7 +135,7 @@ impl<'r, 'a> Runner<'r, 'a> {
         self.prepared.write_sample(self.tile, sample, round, next)
     }
 
-    fn push(&mut self, round: u32, step: Step) {
+    pub(super) fn push(&mut self, round: u32, step: Step) {
         let (frame, number) = self.frame;
         self.recorded.push(Recorded { round, step, frame, number });
         self.work = self.work.saturating_add(step.weight.saturating_mul(self.live.in_round(round)));
@@ -205,7 +154,7 @@ impl<'r, 'a> Runner<'r, 'a> {
     }
 
     /// Submits the recorded steps. Consecutive steps of the same stage share a compute pass.
-    fn submit(&mut self, clock: &mut Clock) -> Result<(), GpuError> {
+    pub(super) fn submit(&mut self, clock: &mut Clock) -> Result<(), GpuError> {
         if self.recorded.is_empty() {
             return Ok(());
         }
@@ -335,7 +284,7 @@ impl<'r, 'a> Runner<'r, 'a> {
     }
 
     /// Waits until at most `left` submissions are in flight.
-    fn wait(&mut self, left: usize) -> Result<(), GpuError> {
+    pub(super) fn wait(&mut self, left: usize) -> Result<(), GpuError> {
         while self.under_way.len() > left {
             let Some(Submission { index, reached, work, begun, count }) = self.under_way.pop_front() else { break };
             self.prepared.gpu.wait(index)?;
@@ -352,8 +301,4 @@ impl<'r, 'a> Runner<'r, 'a> {
         }
         Ok(())
     }
-}
-
-fn pixels(tile: &Tile) -> u64 {
-    u64::from(tile.size[0]) * u64::from(tile.size[1])
 }
