@@ -107,7 +107,16 @@ impl Work<'_> {
         let stage = (targets.len() > 1).then(|| screen::progress().counted(unit_of(targets), targets.len()));
         let mut written = VecDeque::new();
         for &target in targets {
-            let next = self.render(target, earlier)?;
+            let next = match self.render(target, earlier) {
+                Ok(next) => next,
+                Err(error) => {
+                    // The targets before it are complete, and their results are printed.
+                    while !written.is_empty() {
+                        self.finish(&mut written, &mut done, stage.as_ref())?;
+                    }
+                    return Err(error);
+                }
+            };
             unfollowed += next.unfollowed;
             written.push_back(next);
             if written.len() > most_written() {
