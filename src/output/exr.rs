@@ -2,8 +2,8 @@
 //!
 //! Rows are compressed losslessly in blocks of sixteen (ZIP), on all cores, in order of arrival. The writers of the `exr` crate own the
 //! loop over blocks, so this one composes the file from the crate's public parts: the header, a table of block offsets (filled in at the
-//! end), and the blocks. These it compresses itself, because the crate's compressor takes twice as long. Attributes are sorted by name, because the crate stores them in an unordered map. Host memory: one band as bytes,
-//! and its compressed blocks.
+//! end), and the blocks. These it compresses itself, because the crate's compressor takes twice as long. Attributes are sorted by name,
+//! because the crate stores them in an unordered map. Host memory: one band as bytes, and its compressed blocks.
 //!
 //! Channels: `R`, `G`, `B`, `A` if the image has alpha (the colors are premultiplied), and those of [`channels`](super::band::channels).
 //! Floats have 32 bits, ids are unsigned integers.
