@@ -87,7 +87,7 @@ fn aims_do_not_change_the_light() {
         for (other, own, _) in others {
             assert!((light - other).abs() < 4.0 * error.hypot(own), "{law}: {light} ± {error}, {other} ± {own}");
         }
-        assert!(noise < 0.7 * others[0].2, "{law}: {noise} and {}", others[0].2);
+        assert!(noise < 0.75 * others[0].2, "{law}: {noise} and {}", others[0].2);
     }
 }
 
@@ -202,9 +202,9 @@ fn the_error_is_what_seeds_differ_by() {
         0.2126 * band.color[0][i] + 0.7152 * band.color[1][i] + 0.0722 * band.color[2][i]
     };
     let apart: Vec<f32> = (0..errors.len()).map(|i| light(&a.band, i) - light(&b.band, i)).collect();
-    // Stratified samples have smaller errors than independent ones.
+    // Stratified samples have smaller errors than independent ones, for smooth light by an order of magnitude.
     let share = squares(&apart) / (2.0 * squares(errors));
-    assert!((0.1..1.3).contains(&share), "{share}");
+    assert!((0.03..1.3).contains(&share), "{share}");
 }
 
 #[test]

@@ -30,7 +30,7 @@ fn load_coverage(pixel: vec2u) -> f32 {
 // Computes the visibility of a transparent sky, for rays with a throughput and for others.
 fn see_through(pixel: vec2u, code: u32, x: Real3) {
     if CARRIES_LIGHT {
-        if carried.flight != OVER && carried.recorded == 0u && (code == ESCAPED || code == MISSED) {
+        if carried.recorded == 0u && (code == ESCAPED || code == MISSED) {
             let n = medium_index(x);
             uncover(pixel, carried.camera / f32(n * n) * carried.throughput);
         }

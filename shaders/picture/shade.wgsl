@@ -52,14 +52,15 @@ fn shade_ray(pixel: vec2u, ray: Ray, end: Hit) {
     keep_corner(pixel, ray, seen);
 }
 
-// Adds the light of a finished path: from surfaces on its way, and from the sky at its end.
+// Adds the light of a finished path.
 fn shade_path(pixel: vec2u, ray: Ray, end: Hit) {
-    let seen = seen_at(ray, end);
-    if carried.flight != OVER && (ray.status == ESCAPED || ray.status == MISSED) {
-        if ABSORBS {
-            absorption_last(ray, seen.end);
-        }
-        gather(sky_radiance(vec3f(normalize(seen.end.v))), seen.end.x);
+    let start = departed(MISSED, ray.phase[0].xyz, ray.phase[1].xyz);
+    if ray.status == MISSED {
+        gather(sky_radiance(vec3f(normalize(start[1]))), start[0]);
+    }
+    var seen = Seen(PathPoint(start[0], start[1], ray.tau, 0.0), vec3f(0.0), vec3f(0.0), 0u);
+    if SEES_PATH_ENDS {
+        seen = seen_at(ray, end);
     }
     var found = carried.gathered;
     if CLAMPS {

@@ -82,13 +82,11 @@ fn leave_chord(a: vec3f, b: vec3f, share: f32) {
         let out = select((select(corner, corner + 1.0, d > vec3f(0.0)) / cut - a) * inverse, vec3f(1e30), still);
         let next = min(last, max(min(out.x, min(out.y, out.z)), t + nudge));
         let passed = LIGHT_UNIT * cut * share * (next - t);
-        if light_volume.refine == 1u {
-            leave_at(light_index(voxel, light_volume.count), passed * d, passed * size);
-        } else if brick != 0u {
-            let fine = min(vec3u(max(corner - cut * vec3f(voxel), vec3f(0.0))), vec3u(light_volume.refine - 1u));
-            let refine = light_volume.refine;
-            let own = light_index(fine, vec3u(refine));
-            leave_at((brick - 1u) * refine * refine * refine + own, passed * d, passed * size);
+        let refine = light_volume.refine;
+        let fine = min(vec3u(max(corner - cut * vec3f(voxel), vec3f(0.0))), vec3u(refine - 1u));
+        let part = (brick - 1u) * refine * refine * refine + light_index(fine, vec3u(refine));
+        if refine == 1u || brick != 0u {
+            leave_at(select(part, light_index(voxel, light_volume.count), refine == 1u), passed * d, passed * size);
         }
         t = next;
     }

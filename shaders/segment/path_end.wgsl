@@ -16,23 +16,24 @@ fn stop_point(code: u32, hit: Hit, step: LastStep) -> PathPoint {
     if IN_PIECES {
         pass_top(code, hit, step, &h);
     }
-    var p = step.end;
-    var there = false;
-    for (var i = 0u; i <= STOP_STEPS; i++) {
-        p = retaken_step(step.phase, h);
+    var p = retaken_step(step.phase, h);
+    for (var i = 0u; i < STOP_STEPS; i++) {
         if TRAVELS {
             note_passage(p, step.tau + own_tau(step.phase, p, h));
-        }
-        if there {
-            break;
         }
         let surface = stop_distance(code, hit, p[0].xyz);
         let slope = dot(surface.xyz, p[1].xyz);
         let steep = abs(slope) > 1e-3 * length(p[1].xyz);
-        let correction = select(0.0, surface.w / (slope * own_pace(p)), steep && i < STOP_STEPS);
+        let correction = select(0.0, surface.w / (slope * own_pace(p)), steep);
         h = clamp(h - correction, 0.0, step.h);
+        p = retaken_step(step.phase, h);
         // Straight lines and leaps converge at once.
-        there = abs(correction) <= LAST_PART * step.h;
+        if abs(correction) <= LAST_PART * step.h {
+            break;
+        }
+    }
+    if TRAVELS {
+        note_passage(p, step.tau + own_tau(step.phase, p, h));
     }
     if FOLLOWS_SHIFT {
         note_end(p);

@@ -7,6 +7,12 @@
 // The iterations reserved for one more segment, and for the end of a path.
 const SEGMENT_ROOM: u32 = 5500u;
 const END_ROOM: u32 = 2000u;
+// The largest count that a lane does not share, because locked operations are slow. The joint execution may have LOOP_LANES times as many
+// iterations more than a lane has counted.
+const UNSHARED: u32 = 256u;
+const COUNTED_BUDGET: u32 = LOOP_BUDGET - LOOP_LANES * UNSHARED;
+// The largest number of loops that all lanes may skip together in one iteration of a pass. A skipped loop runs once, and no lane counts it.
+const SKIPPED_LOOPS: u32 = 8u;
 
 // The iterations so far, over all loops of this invocation and of those that it runs in step with.
 var<private> work: u32;
@@ -24,7 +30,7 @@ fn has_room() -> bool {
     if !COUNTS_LOOPS {
         return true;
     }
-    return work < LOOP_BUDGET - SEGMENT_ROOM;
+    return work < COUNTED_BUDGET - SEGMENT_ROOM;
 }
 
 // Returns `true` if there is room for this many iterations, or if no later pass has more.
@@ -32,7 +38,7 @@ fn has_room_for(iterations: u32) -> bool {
     if !COUNTS_LOOPS {
         return true;
     }
-    return work + iterations < LOOP_BUDGET - SEGMENT_ROOM || work < SEGMENT_ROOM;
+    return work + iterations < COUNTED_BUDGET - SEGMENT_ROOM || work < SEGMENT_ROOM;
 }
 
 // Returns `true` if loops of this pass may have been cut short: then their results must not be used.
@@ -40,13 +46,22 @@ fn is_spent() -> bool {
     if !COUNTS_LOOPS {
         return false;
     }
-    return work > LOOP_BUDGET - END_ROOM;
+    return work > COUNTED_BUDGET - END_ROOM;
 }
 
 // Equalizes the counts after a loop that lanes ran together, so that a lane that continues without the others includes their iterations.
 fn rejoin() {
     if COUNTS_LOOPS {
-        atomicMax(&lanes_work[own_lanes], work);
-        work = atomicLoad(&lanes_work[own_lanes]);
+        if work > UNSHARED {
+            atomicMax(&lanes_work[own_lanes], work);
+        }
+        work = max(work, atomicLoad(&lanes_work[own_lanes]));
+    }
+}
+
+// Counts loops that all lanes may have skipped.
+fn count_skipped() {
+    if COUNTS_LOOPS {
+        work += SKIPPED_LOOPS;
     }
 }

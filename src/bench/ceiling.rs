@@ -99,7 +99,7 @@ impl<'a> Kernel<'a> {
         let file = format!("device_speed/{name}");
         let unit = Unit::from(part(&file).ok_or(ProgramError::NoPart(file))?);
         let linked = link(&Parts { shared: vec![unit], ..Parts::default() }, "ceiling")?;
-        let pipeline = Pipeline::new(bench.gpu, &linked, &reflect(&linked)?, bench.gpu.group[0])?;
+        let pipeline = Pipeline::new(bench.gpu, &linked, &reflect(&linked)?, bench.gpu.division())?;
         let sums = device.create_buffer(&BufferDescriptor {
             label: Some("sums"),
             size: u64::from(4 * INVOCATIONS),

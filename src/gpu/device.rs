@@ -9,7 +9,7 @@ use wgpu::{
 };
 
 use super::GpuError;
-use super::compiled::Compiled;
+use super::compiled::{Compiled, Division};
 use super::driver_messages::quietly;
 use crate::program::{DeviceProfile, constant};
 use crate::progress::Progress;
@@ -119,6 +119,12 @@ pub(super) fn is_called(device: &AdapterInfo, name: Option<&str>) -> bool {
 }
 
 impl Gpu {
+    /// Returns the default division of pixels on this device.
+    #[must_use]
+    pub fn division(&self) -> Division {
+        Division { group: self.group, lane_pixels: self.profile.lane_pixels }
+    }
+
     /// Returns the name of the device with its driver and version; on another device results may differ in their last bits.
     #[must_use]
     pub fn words(&self) -> String {

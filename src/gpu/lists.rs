@@ -146,12 +146,7 @@ impl Uploads<'_> {
             "cells" => Ok(g.structure.grid.as_ref().map(|grid| bytemuck::cast_slice(&grid.cells).to_vec())),
             "materials" => self.materials(layout).map(Some),
             "absorptions" => pack_shared(name, layout, self.absorptions()).map(Some),
-            "emitters" => {
-                let row = |emitter: Emitter| -> Row {
-                    row! { center: Vec3(emitter.center), radius: Float(emitter.radius), power: Float(emitter.power) }
-                };
-                pack(name, layout, self.scene.emitters().into_iter().map(row)).map(Some)
-            }
+            "emitters" => pack(name, layout, self.scene.emitters().into_iter().map(Emitter::row)).map(Some),
             "sky_cells" => {
                 let columns = constant("path/light_sampling/sky", "SKY_COLUMNS") as u32;
                 let rows = constant("path/light_sampling/sky", "SKY_ROWS") as u32;

@@ -29,7 +29,7 @@ mod textures;
 mod tile;
 mod uniforms;
 
-pub use compiled::Pipeline;
+pub use compiled::{Division, Pipeline};
 pub use contents::{SceneBuffers, Stored};
 pub use device::{AdapterReport, Gpu, adapters};
 pub(crate) use emission::hashed;

@@ -11,6 +11,7 @@ use wgpu::{
     TextureViewDimension,
 };
 
+use super::compiled::Division;
 use super::device::{GROUP_WIDTH, LANE_PIXELS};
 use super::{Gpu, GpuError, Pipeline, adapters};
 use crate::program::{Binding, BindingKind, Layout, LinkedProgram, Pass, Program, Reflection};
@@ -19,26 +20,27 @@ use crate::program::{Binding, BindingKind, Layout, LinkedProgram, Pass, Program,
 #[derive(Debug)]
 pub struct Pipelines {
     passes: Vec<(Pass, Pipeline)>,
-    /// The size of a workgroup in pixels, across and down.
-    pub group: [u32; 2],
+    /// The division of their pixels.
+    pub division: Division,
 }
 
 impl Pipelines {
-    /// Compiles the passes of the program in parallel for the device and for images of `width` pixels; rejects programs that exceed the limits of the device.
+    /// Compiles the passes of the program in parallel for the device and for images of this width and height; rejects programs that exceed
+    /// the limits of the device.
     ///
     /// # Errors
     ///
     /// Returns [`GpuError::NoDouble`] if a pass computes in 64 bits and the device does not, [`GpuError::Limit`] if a pass exceeds a limit
     /// of the device, and [`GpuError::Pass`] if the driver rejects a pass.
-    pub fn new(gpu: &Gpu, program: &Program, width: u32) -> Result<Self, GpuError> {
-        let group = narrowed(gpu.group, width);
+    pub fn new(gpu: &Gpu, program: &Program, size: [u32; 2]) -> Result<Self, GpuError> {
+        let division = division(gpu, size, program.features.follows_paths);
         let stage = gpu.progress.counted("compiling pass", program.passes.len());
         let made = |(pass, linked, reflection): &(Pass, LinkedProgram, Reflection)| {
-            let pipeline = Pipeline::new(gpu, linked, reflection, group[0])?;
+            let pipeline = Pipeline::new(gpu, linked, reflection, division)?;
             stage.advance(1.0);
             Ok((*pass, pipeline))
         };
-        Ok(Self { passes: program.passes.par_iter().map(made).collect::<Result<_, GpuError>>()?, group })
+        Ok(Self { passes: program.passes.par_iter().map(made).collect::<Result<_, GpuError>>()?, division })
     }
 
     /// Returns the pipeline of `pass`, if the program has it.
@@ -54,21 +56,31 @@ impl Pipelines {
 }
 
 impl Pipeline {
-    /// Compiles one linked program with workgroups of `across` pixels, unless it is cached.
+    /// Compiles one linked program for this division of pixels, unless it is cached.
     ///
     /// # Errors
     ///
     /// Returns the errors of [`Pipelines::new`].
-    pub fn new(gpu: &Gpu, linked: &LinkedProgram, reflection: &Reflection, across: u32) -> Result<Self, GpuError> {
-        if let Some(compiled) = gpu.compiled.find(&linked.source, across) {
+    pub fn new(
+        gpu: &Gpu,
+        linked: &LinkedProgram,
+        reflection: &Reflection,
+        division: Division,
+    ) -> Result<Self, GpuError> {
+        if let Some(compiled) = gpu.compiled.find(&linked.source, division) {
             return Ok(compiled);
         }
-        let pipeline = Self::compile(gpu, linked, reflection, across)?;
-        gpu.compiled.keep(&linked.source, across, &pipeline);
+        let pipeline = Self::compile(gpu, linked, reflection, division)?;
+        gpu.compiled.keep(&linked.source, division, &pipeline);
         Ok(pipeline)
     }
 
-    fn compile(gpu: &Gpu, linked: &LinkedProgram, reflection: &Reflection, across: u32) -> Result<Self, GpuError> {
+    fn compile(
+        gpu: &Gpu,
+        linked: &LinkedProgram,
+        reflection: &Reflection,
+        division: Division,
+    ) -> Result<Self, GpuError> {
         if reflection.doubles && !gpu.f64 {
             let there = adapters().into_iter().filter(|adapter| adapter.f64).map(|adapter| adapter.info.name).collect();
             return Err(GpuError::NoDouble { device: gpu.info.name.clone(), there });
@@ -84,7 +96,8 @@ impl Pipeline {
             bind_group_layouts: &[Some(&layout)],
             immediate_size: 0,
         });
-        let mut known = vec![(GROUP_WIDTH, f64::from(across)), (LANE_PIXELS, f64::from(gpu.profile.lane_pixels))];
+        let mut known =
+            vec![(GROUP_WIDTH, f64::from(division.group[0])), (LANE_PIXELS, f64::from(division.lane_pixels))];
         known.retain(|(known, _)| reflection.overrides.iter().any(|name| name == known));
         let compilation_options =
             PipelineCompilationOptions { constants: &known, ..PipelineCompilationOptions::default() };
@@ -121,6 +134,13 @@ fn module(gpu: &Gpu, linked: &LinkedProgram) -> ShaderModule {
     unsafe {
         gpu.device.create_shader_module_trusted(descriptor, checks)
     }
+}
+
+/// Returns the division of images of this width and height; their paths are random if `random` is set.
+fn division(gpu: &Gpu, [width, height]: [u32; 2], random: bool) -> Division {
+    let pixels = u64::from(width) * u64::from(height);
+    let lane_pixels = if random { gpu.profile.random_lane_pixels(pixels) } else { gpu.profile.lane_pixels };
+    Division { group: narrowed(gpu.group, width), lane_pixels }
 }
 
 /// Returns a workgroup of equal area that is no wider than an image of `width` pixels requires, because pixels beyond the edge are idle.

@@ -72,9 +72,9 @@ impl<'a> Prepared<'a> {
         let program = Program::new(&scene, &geometry.analysis, &settings.options, geometry.extent())?;
         drop(stage);
         settings.options.schedule = program.features.schedule;
-        let [width, _] = settings.window.unwrap_or(Window::whole(scene.image.size)).size;
+        let size = settings.window.unwrap_or(Window::whole(scene.image.size)).size;
         let is_picture = settings.options.mode == Mode::Picture;
-        let pipelines = Pipelines::new(gpu, &program, if is_picture { width } else { u32::MAX })?;
+        let pipelines = Pipelines::new(gpu, &program, if is_picture { size } else { [u32::MAX; 2] })?;
         settings.segments = fused_segments(settings.segments, &program.features, scene.rays.max_segments);
         let segments = settings.segments_a_pass();
         let scope = gpu.device.push_error_scope(ErrorFilter::OutOfMemory);

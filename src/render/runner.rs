@@ -18,7 +18,7 @@ use super::live_rays::{Count, LiveRays};
 use super::prepared::Prepared;
 use super::sample::Sample;
 use super::step::{Dispatch, Step};
-use crate::gpu::{FRAMES, GpuError, List, PixelListKind, SECTION, Selection, Tile};
+use crate::gpu::{Division, FRAMES, GpuError, List, PixelListKind, SECTION, Selection, Tile};
 use crate::program::{Access, Pass, Role};
 
 /// The maximum number of submissions in flight.
@@ -276,8 +276,8 @@ impl<'r, 'a> Runner<'r, 'a> {
         match self.tile.arguments(read.list) {
             Some(buffer) if indirect => pass.dispatch_workgroups_indirect(buffer, read.offset()),
             _ => {
-                let [across, down] = self.prepared.pipelines.group;
-                let rows = down * if step.pass == Pass::Whole { self.prepared.gpu.profile.lane_pixels } else { 1 };
+                let Division { group: [across, down], lane_pixels } = self.prepared.pipelines.division;
+                let rows = down * if step.pass == Pass::Whole { lane_pixels } else { 1 };
                 pass.dispatch_workgroups(self.tile.size[0].div_ceil(across), self.tile.size[1].div_ceil(rows), 1);
             }
         }

@@ -13,6 +13,7 @@ mod control;
 mod curves;
 mod doubles;
 mod embedded;
+mod emitters;
 mod ends;
 mod expressions;
 mod grid;

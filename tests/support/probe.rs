@@ -269,7 +269,7 @@ fn buffer(gpu: &Gpu, contents: &[u8], usage: BufferUsages) -> Buffer {
 }
 
 fn dispatch(gpu: &Gpu, linked: &LinkedProgram, reflection: &Reflection, buffers: &[Buffer], count: usize) {
-    let pipeline = Pipeline::new(gpu, linked, reflection, gpu.group[0]).unwrap_or_else(|error| panic!("{error}"));
+    let pipeline = Pipeline::new(gpu, linked, reflection, gpu.division()).unwrap_or_else(|error| panic!("{error}"));
     let entries: Vec<_> = reflection
         .bindings
         .iter()

@@ -36,11 +36,11 @@ fn store_waiting(pixel: vec2u) {
     pixel_waiting[place_in_tile(pixel)] = waiting;
 }
 
-// Returns `true` after any aimed ray, however it ended, because the path's own ray may be waiting: which of the two rays ended is known
-// only after all of its state is loaded.
+// Returns `true` also after a ray that met no surface: it may have found light from the sky, and if it was an aimed ray, the path's own ray
+// is waiting. Which of the two rays ended is known only after all of its state is loaded.
 fn may_scatter(code: u32) -> bool {
     if !AIMS {
-        return code == HIT;
+        return code == HIT || code == ESCAPED;
     }
     return code == HIT || code == ESCAPED || code == CAPTURED || code == ENDED;
 }

@@ -15,7 +15,7 @@ impl Features {
     pub fn constants(&self) -> Vec<(String, bool)> {
         let plain = named!(self;
             splits has_rough_glass has_regions has_sided_mesh has_objects touches absorbs absorption_jumps sees_glow
-            follows_paths in_pieces aims clamps draws_wavelength falls grids_fall grids_all_fall
+            follows_paths in_pieces aims emits_from_boxes clamps draws_wavelength falls grids_fall grids_all_fall
             is_occluded occludes_along_law looks_from_surfaces follows_lines all_cast shuts_out weakens_lines
             is_limited compensates_tau keeps_taken keeps_w keeps_last_hit has_leaps suspends items_in_order has_chords writes_chords_out ends_with_steps rejects keeps_errors captures_by_formula has_structure is_glossy captures is_extreme is_asymptotic is_plane is_about_center keeps_last carries_time by_length turns_with_camera travels has_throat joins_whole
             has_two_skies sees_through has_vertex_colors is_transparent enumerates adapts is_filmic keeps_footprints
@@ -30,6 +30,7 @@ impl Features {
             ("chooses_pixels", self.mode == Mode::Pixels),
             ("draws", self.is_picture() || self.mode.leaves_light()),
             ("carries_light", self.follows_paths || self.sees_glow),
+            ("sees_path_ends", self.follows_paths && self.sees_path_ends()),
             ("colors_dispersed", self.disperses && self.follows_paths),
             ("filters_images", self.keeps_footprints && self.has_images),
             ("ends_below", self.below_part.is_some()),

@@ -64,6 +64,8 @@ pub struct Features {
     pub in_pieces: bool,
     /// Paths use next-event estimation.
     pub aims: bool,
+    /// Some emitter is sampled by its bounding box.
+    pub emits_from_boxes: bool,
     /// The radiance of samples is clamped.
     pub clamps: bool,
     /// A path has a single wavelength.
@@ -194,13 +196,12 @@ impl Features {
     pub fn of(scene: &Scene, options: &ProgramOptions, Analysis { regions, structure }: &Analysis) -> Self {
         let ProgramOptions { mode, masks, layers, device, .. } = options.clone();
         let is_picture = mode == Mode::Picture;
-        let facts = scene.law.facts();
+        let (facts, camera) = (scene.law.facts(), scene.camera.as_ref());
         let rounds = rounds(scene, is_picture);
         let shoots = scene.has_shadows(Shadows::Shooting);
         // A whole path fits into one pass if a sample follows one path, and the state need not be rounded between segments.
         let fits = is_picture && rounds == 1 && scene.rays.precision != Precision::Half && !shoots;
         let schedule = if options.schedule == Schedule::Whole && !fits { Schedule::Fused } else { options.schedule };
-        let camera = scene.camera.as_ref();
         let grids = || scene.lights.iter().filter(|light| light.shadows == Shadows::Grid);
         let beams = is_picture && camera.is_some_and(|camera| camera.redshift);
         let knows_shift = beams || is_picture && layers.contains(&Layer::Redshift) && scene.has_frequencies();
@@ -242,6 +243,7 @@ impl Features {
             follows_paths,
             in_pieces: follows_paths && !joins_whole,
             aims: follows_paths && !scene.aims().is_empty(),
+            emits_from_boxes: follows_paths && scene.emitters().iter().any(|emitter| emitter.edges.is_some()),
             clamps: follows_paths && scene.output.clamp.is_some(),
             draws_wavelength: scene.disperses() && (follows_paths || mode == Mode::Caustics),
             is_lit: scene.is_lit(),
@@ -309,6 +311,11 @@ impl Features {
     #[must_use]
     pub fn lists_open(&self) -> bool {
         self.masks != RaySkipping::Off && (self.rounds > 1 || self.adapts)
+    }
+
+    /// Returns `true` if the image needs more of a path's end than its light.
+    pub(super) fn sees_path_ends(&self) -> bool {
+        !self.layers.is_empty() || self.sees_through || self.keeps_footprints
     }
 
     /// Returns the number of extra columns and rows of a tile, because the corners of its last pixels are shared with the next pixels.
