@@ -12,6 +12,8 @@ use crate::gpu::LightGridData;
 pub(super) struct LightGrids {
     pub fields: Arc<[LightGridData]>,
     pub reports: Vec<LightReport>,
+    /// `true` once the renderer has another step control than the paths of the grids.
+    pub is_outdated: bool,
 }
 
 /// The source of the light in a grid.

@@ -49,7 +49,7 @@ pub(super) fn grids_of(gpu: &Gpu, scene: &Scene, settings: &RenderSettings) -> R
         guide(gpu, scene, settings)?
     };
     let (fields, reports): (Vec<_>, _) = made.into_iter().unzip();
-    Ok(LightGrids { fields: fields.into(), reports })
+    Ok(LightGrids { fields: fields.into(), reports, is_outdated: false })
 }
 
 /// Creates the grids of a scene's lights that have one, in the order of the file.

@@ -137,6 +137,7 @@ impl<'a> Prepared<'a> {
     pub(super) fn retune(&mut self, control: Control, max_segments: u32) -> Result<(), GpuError> {
         // Anything that is later derived from the scene must use these values.
         let rays = &mut self.scene.to_mut().rays;
+        self.grids.is_outdated |= rays.control != control;
         (rays.control, rays.max_segments) = (control, max_segments);
         self.rewrite("control", &control.values())?;
         self.set_segments(max_segments, self.settings.segments)

@@ -122,7 +122,7 @@ impl<'a> Renderer<'a> {
     fn grids_for(&self, scene: &Scene) -> Result<LightGrids, RenderError> {
         let Prepared { gpu, scene: own, settings, moments, grids, .. } = &self.prepared;
         let (before, grids) = moments.last().map_or((&**own, grids), |moment| (&moment.scene, &moment.grids));
-        let is_kept = !grids.fields.is_empty() && scene.is_lit_as(before);
+        let is_kept = !grids.fields.is_empty() && !grids.is_outdated && scene.is_lit_as(before);
         if is_kept { Ok(grids.clone()) } else { grids_of(gpu, scene, settings) }
     }
 }
@@ -161,6 +161,32 @@ mod tests {
         let refused = renderer.set_scene(scene("center = [3, 0, 0]\nscale = [1, 2, 1]\n"));
         assert!(matches!(refused, Err(RenderError::OtherProgram)), "{refused:?}");
         assert!(renderer.render().unwrap().band == expected[0]);
+    }
+
+    /// A search for a method renders a small image with other settings, and its renderer then renders the image.
+    #[test]
+    fn guides_belong_to_the_image_that_they_are_created_for() {
+        let gpu = Gpu::open(None).unwrap();
+        let of = |size: &str, step: &str| {
+            let text = format!(
+                "[image]\nsize = {size}\nsamples = 2\n[camera]\nposition = [0, 1, 9]\n[law]\nkind = \"schwarzschild\"\n\
+                 [rays]\nmethod = \"rk4\"\nscaled_step = {step}\nbounding_sphere = {{ radius = 20 }}\nlighting = \"path-tracing\"\n\
+                 [materials.m]\nkind = \"emissive\"\ncolor = [1, 0.5, 0]\n[materials.floor]\nkind = \"phong\"\ndiffuse = [1, 1, 1]\n\
+                 [[objects]]\nshape = \"sphere\"\nmaterial = \"m\"\ncenter = [3, 0, 0]\n\
+                 [[objects]]\nshape = \"box\"\nmaterial = \"floor\"\ncenter = [0, -4, 0]\nsize = [20, 1, 20]\n"
+            );
+            Scene::parse(&text, std::path::Path::new("test.toml"), &[]).unwrap()
+        };
+        let scene = of("[128, 64]", "0.2");
+        let expected = Renderer::new(&gpu, &scene, RenderSettings::default()).unwrap().render().unwrap().band;
+        for (size, step) in [("[16, 8]", "0.2"), ("[128, 64]", "0.5")] {
+            let other = of(size, step);
+            assert!(!other.beams().is_empty());
+            let mut renderer = Renderer::new(&gpu, &other, RenderSettings::default()).unwrap();
+            renderer.retune(scene.rays.control, scene.rays.max_segments).unwrap();
+            renderer.set_scene(scene.clone()).unwrap();
+            assert!(renderer.render().unwrap().band == expected, "after {size}, {step}");
+        }
     }
 
     #[test]

@@ -243,7 +243,8 @@ impl Scene {
         self.objects.iter().enumerate().filter_map(remark).collect()
     }
 
-    /// Returns `true` if light propagates as in another scene, regardless of the camera, the sky, and colors that only they show.
+    /// Returns `true` if light propagates as in another scene, and guides paths as there, regardless of the sky and of colors that only the
+    /// camera and the sky show.
     #[must_use]
     pub fn is_lit_as(&self, other: &Self) -> bool {
         *self.law == *other.law
@@ -252,6 +253,8 @@ impl Scene {
             && self.materials == other.materials
             && self.objects == other.objects
             && self.lights == other.lights
+            && (self.rays.path_tracing.is_none()
+                || (self.beams() == other.beams() && self.guide_grid() == other.guide_grid()))
     }
 
     /// Returns the angle of a pixel at the image center, in radians.
