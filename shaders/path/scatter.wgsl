@@ -19,8 +19,8 @@ struct Leg {
     code: u32,
 }
 
-// Continues the path of a ray that met a surface, and takes the light of the sky if it met none. The code after all cases is shared, because code under a condition also costs the time of
-// neighboring lanes.
+// Continues the path of a ray that met a surface, and takes the light of the sky if it met none. The code after all cases is shared, because
+// code under a condition also costs the time of neighboring lanes.
 //
 // ray: at the start of its last segment. It is returned active from the surface that it met, or with the status that ends it.
 fn scatter_ray(ray: Ray, met: ptr<function, Hit>, pixel: vec2u) -> Ray {

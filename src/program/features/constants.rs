@@ -30,7 +30,7 @@ impl Features {
             ("chooses_pixels", self.mode == Mode::Pixels),
             ("draws", self.is_picture() || self.mode.leaves_light()),
             ("carries_light", self.follows_paths || self.sees_glow),
-            ("sees_path_ends", self.follows_paths && self.sees_path_ends()),
+            ("sees_path_ends", !self.layers.is_empty() || self.sees_through || self.keeps_footprints),
             ("colors_dispersed", self.disperses && self.follows_paths),
             ("filters_images", self.keeps_footprints && self.has_images),
             ("ends_below", self.below_part.is_some()),

@@ -313,11 +313,6 @@ impl Features {
         self.masks != RaySkipping::Off && (self.rounds > 1 || self.adapts)
     }
 
-    /// Returns `true` if the image needs more of a path's end than its light.
-    pub(super) fn sees_path_ends(&self) -> bool {
-        !self.layers.is_empty() || self.sees_through || self.keeps_footprints
-    }
-
     /// Returns the number of extra columns and rows of a tile, because the corners of its last pixels are shared with the next pixels.
     #[must_use]
     pub fn margin(&self) -> u32 {
