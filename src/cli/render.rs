@@ -3,6 +3,7 @@
 //! *Length.* Over 300 lines, because the options of `render` take half of it.
 
 mod again;
+mod ahead;
 mod files;
 mod picture;
 mod video;
@@ -27,11 +28,13 @@ use super::paths;
 use super::share::{PartArg, Share, Target};
 use super::{of_scene, say_line};
 use crate::error::Error;
-use crate::measure::verify;
+use crate::measure::{Verification, verify};
+use crate::output::origin::COMPARED;
 use crate::output::{has_extension, is_film};
 use crate::program::Layer;
 use crate::render::{RenderError, RenderSettings, StartPart, StartUp, Status, Totals, Window};
 use crate::scene::Scene;
+use ahead::Inputs;
 pub(super) use picture::followed;
 use work::Work;
 
@@ -274,21 +277,23 @@ pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
     if targets.len() > 1 {
         interrupt::finish_first(targets.len());
     }
+    let compared = (COMPARED.to_owned(), (settings.options.layers != layers).to_string());
+    let metadata = std::iter::once(compared).chain(measured.iter().flat_map(Verification::metadata)).collect();
+    let mut inputs = Inputs { arguments, film, gpu: &gpu, leading, metadata };
     let mut work = Work {
         arguments,
         again,
-        film,
         gpu: &gpu,
-        leading,
         settings,
         layers,
         verification: measured,
         launch,
         renderer: renderer.map(|renderer| (renderer, is_film.then_some(0))),
         is_under_way: false,
+        clash: None,
         there: 0,
     };
-    let unfollowed = work.render_all(&targets, before.map(EarlierImage::earlier).as_ref())?;
+    let unfollowed = work.render_all(&mut inputs, &targets, before.map(EarlierImage::earlier).as_ref())?;
     if let Some(code) = interrupt::stopped() {
         return Ok(code);
     }

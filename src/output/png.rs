@@ -87,7 +87,8 @@ impl PngWriter {
 impl Shown {
     /// Returns the bytes of one row of a band, from pixel `start` of its planes.
     fn row_bytes(&self, band: &Band, start: usize) -> Vec<u8> {
-        let mut out = Vec::new();
+        // Four channels of two bytes at most.
+        let mut out = Vec::with_capacity(8 * band.width as usize);
         for i in start..start + band.width as usize {
             let color = [band.color[0][i], band.color[1][i], band.color[2][i]];
             // PNG colors are not premultiplied.

@@ -74,13 +74,26 @@ pub(super) struct TilePlace {
 }
 
 impl TilePlace {
-    /// Copies the values of a tile's pixels without its margin into complete rows of the image, on all cores. `value` receives the number
-    /// of the pixel in the tile.
-    pub fn put<T: Send>(&self, rows: &mut [T], width: u32, value: impl Fn(usize) -> T + Sync) {
+    /// Copies the values of a tile's pixels without its margin into complete rows of planes, on all cores. `values` receives the number of
+    /// the pixel in the tile.
+    pub fn put<T: Send, const N: usize>(
+        &self,
+        planes: [&mut [T]; N],
+        width: u32,
+        values: impl Fn(usize) -> [T; N] + Sync,
+    ) {
         let own = self.left as usize..(self.left + self.width - self.margin) as usize;
-        rows.par_chunks_mut(width as usize).enumerate().for_each(|(y, row)| {
-            let first = y * self.width as usize;
-            row[own.clone()].iter_mut().zip(first..).for_each(|(place, pixel)| *place = value(pixel));
+        let mut rows = planes.map(|plane| plane.chunks_mut(width as usize));
+        let rows = std::iter::from_fn(|| {
+            let row = rows.each_mut().map(Iterator::next);
+            row.iter().all(Option::is_some).then(|| row.map(Option::unwrap_or_default))
+        });
+        rows.enumerate().par_bridge().for_each(|(y, mut row)| {
+            for (x, pixel) in own.clone().zip(y * self.width as usize..) {
+                for (plane, value) in row.iter_mut().zip(values(pixel)) {
+                    plane[x] = value;
+                }
+            }
         });
     }
 
@@ -93,14 +106,13 @@ impl TilePlace {
             band.layers.push((layer, empty_plane(layer, pixels)));
             band.layers.len() - 1
         };
-        let float = |k: usize| move |pixel| f32::from_bits(words(pixel, k));
+        let float = |pixel: usize, k| f32::from_bits(words(pixel, k));
         match &mut band.layers[at].1 {
-            Plane::Scalar(values) => self.put(values, width, float(0)),
-            Plane::Id(values) => self.put(values, width, |pixel| words(pixel, 0)),
+            Plane::Scalar(values) => self.put([values], width, |pixel| [float(pixel, 0)]),
+            Plane::Id(values) => self.put([values], width, |pixel| [words(pixel, 0)]),
             Plane::Vector(values) => {
-                for (k, values) in values.iter_mut().enumerate() {
-                    self.put(values, width, float(k));
-                }
+                let planes = values.each_mut().map(Vec::as_mut_slice);
+                self.put(planes, width, |pixel| [0, 1, 2].map(|k| float(pixel, k)));
             }
         }
     }

@@ -32,9 +32,7 @@ impl Values<'_> {
     pub(super) fn put(&self, left: u32, round: &Round, band: &mut Band, noise: Option<&mut Noise>) {
         let errors = self.errors(round.until);
         let at = TilePlace { left, width: self.size[0], margin: self.margin };
-        for (k, plane) in band.color.iter_mut().chain(&mut band.alpha).enumerate() {
-            at.put(plane, band.width, self.channel(k, round.until));
-        }
+        self.put_colors(&at, round.until, band);
         for layer in round.layers() {
             if let Some(words) = self.layer(layer, round.until, errors.as_deref()) {
                 at.put_layer(layer, band, &*words);
@@ -42,7 +40,7 @@ impl Values<'_> {
         }
         if let (Some(errors), Some(noise)) = (errors, noise) {
             let mut own = vec![0.0; band.width as usize * band.rows as usize];
-            at.put(&mut own, band.width, |pixel| errors[pixel]);
+            at.put([&mut own], band.width, |pixel| [errors[pixel]]);
             let columns = at.left..at.left + self.size[0] - at.margin;
             for (row, errors) in own.chunks_exact(band.width as usize).enumerate() {
                 for column in columns.clone().map(|column| column as usize) {
@@ -53,20 +51,25 @@ impl Values<'_> {
         }
     }
 
-    /// Returns the mean of a channel (red, green, blue or alpha) of each pixel over this number of samples.
-    fn channel(&self, k: usize, samples: u32) -> Box<dyn Fn(usize) -> f32 + Sync + '_> {
-        let weight = 1.0 / samples as f32;
+    /// Copies the means of red, green, blue and alpha of each pixel over this number of samples.
+    fn put_colors(&self, at: &TilePlace, samples: u32, band: &mut Band) {
+        let width = band.width;
+        let color = band.color.each_mut().map(Vec::as_mut_slice);
         if let Some(moments) = &self.moments {
-            return Box::new(move |pixel| moments[pixel].color[k]);
+            at.put(color, width, |pixel| moments[pixel].color.first_chunk().copied().unwrap_or_default());
+            if let Some(alpha) = &mut band.alpha {
+                at.put([alpha], width, |pixel| [moments[pixel].color[3]]);
+            }
+            return;
         }
-        let (name, k) = if k < 3 { ("color", k) } else { ("alpha", 0) };
-        let Some(sums) = self.pixels.column(name) else { return Box::new(|_| 0.0) };
-        let mean = move |pixel| f32::from_bits(sums(pixel, k)) * weight;
-        if name == "color" {
-            return Box::new(mean);
+        let weight = 1.0 / samples as f32;
+        if let Some(sums) = self.pixels.column("color") {
+            at.put(color, width, |pixel| [0, 1, 2].map(|k| f32::from_bits(sums(pixel, k)) * weight));
         }
-        // From inside a medium, the sky may appear brighter than outside, so the mean may exceed 1.
-        Box::new(move |pixel| mean(pixel).clamp(0.0, 1.0))
+        if let (Some(alpha), Some(sums)) = (&mut band.alpha, self.pixels.column("alpha")) {
+            // From inside a medium, the sky may appear brighter than outside, so the mean may exceed 1.
+            at.put([alpha], width, |pixel| [(f32::from_bits(sums(pixel, 0)) * weight).clamp(0.0, 1.0)]);
+        }
     }
 
     /// Returns the standard error of every pixel after `samples` samples, infinite for one sample; `None` if no errors were stored.

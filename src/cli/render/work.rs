@@ -1,10 +1,13 @@
 //! Renders frames one after the other, with the programs that were compiled for the first.
 
 use std::collections::VecDeque;
+use std::sync::mpsc::Receiver;
+use std::thread;
 use std::time::Instant;
 
 use indicatif::{HumanBytes, HumanDuration};
 
+use super::ahead::{Inputs, Loaded};
 use super::picture::{Made, Picture};
 use super::{Arguments, warn};
 use crate::cli::choose_method::{Settled, settle};
@@ -12,7 +15,6 @@ use crate::cli::decisions::Rays;
 use crate::cli::format::Deferred;
 use crate::cli::frames::Film;
 use crate::cli::interrupt;
-use crate::cli::origin::origin;
 use crate::cli::screen;
 use crate::cli::share::{Band, Target};
 use crate::cli::watch::PreviewFile;
@@ -20,7 +22,6 @@ use crate::error::Error;
 use crate::gpu::Gpu;
 use crate::measure::Verification;
 use crate::output::BackgroundWriter;
-use crate::output::origin::COMPARED;
 use crate::program::Layer;
 use crate::progress::Stage;
 use crate::render::{
@@ -33,10 +34,7 @@ pub(super) struct Work<'a> {
     pub arguments: &'a Arguments,
     /// The command line that repeats it.
     pub again: String,
-    pub film: Film<'a>,
     pub gpu: &'a Gpu,
-    /// The scene whose method is used for every frame.
-    pub leading: Scene,
     pub settings: RenderSettings,
     /// The layers of the files; the device may keep more.
     pub layers: Vec<Layer>,
@@ -46,6 +44,8 @@ pub(super) struct Work<'a> {
     pub renderer: Option<(Renderer<'a>, Option<u32>)>,
     /// `true` once something has been rendered.
     pub is_under_way: bool,
+    /// Two frames that need different programs, once they are found.
+    pub clash: Option<[f64; 2]>,
     /// The number of targets that existed already.
     pub there: usize,
 }
@@ -85,52 +85,35 @@ impl Arguments {
     }
 }
 
-impl Work<'_> {
-    /// Prints warnings about problems that are known before the render.
-    fn warn_beforehand(&self) {
-        for words in self.leading.warnings() {
-            tell!("warning: {words}");
-        }
-        let is_open = self.leading.animation.as_ref().is_some_and(|animation| animation.shutter > 0.0);
-        if is_open && self.arguments.frames.is_some() && self.leading.image.samples == 1 {
-            tell!(
-                "warning: the shutter is open, but one sample per pixel shows no motion blur: raise image.samples \
-                 (--samples)"
-            );
-        }
+/// Prints warnings about problems that are known before the render.
+fn warn_beforehand(inputs: &Inputs) {
+    for words in inputs.leading.warnings() {
+        tell!("warning: {words}");
     }
+    let is_open = inputs.leading.animation.as_ref().is_some_and(|animation| animation.shutter > 0.0);
+    if is_open && inputs.arguments.frames.is_some() && inputs.leading.image.samples == 1 {
+        tell!(
+            "warning: the shutter is open, but one sample per pixel shows no motion blur: raise image.samples \
+             (--samples)"
+        );
+    }
+}
 
+impl Work<'_> {
     /// Renders the unfinished targets. Returns the number of rays that could not be followed.
-    pub(super) fn render_all(&mut self, targets: &[Target], earlier: Option<&EarlierSamples>) -> Result<u64, Error> {
-        self.warn_beforehand();
-        let (mut unfollowed, mut done) = (0, 0);
-        let stage = (targets.len() > 1).then(|| screen::progress().counted(unit_of(targets), targets.len()));
-        let mut written = VecDeque::new();
-        for &target in targets {
-            let next = match self.render(target, earlier) {
-                Ok(next) => next,
-                Err(error) => {
-                    // The targets before it are complete, and their results are printed.
-                    while !written.is_empty() {
-                        self.finish(&mut written, &mut done, stage.as_ref())?;
-                    }
-                    return Err(error);
-                }
-            };
-            unfollowed += next.unfollowed;
-            written.push_back(next);
-            if written.len() > most_written() {
-                self.finish(&mut written, &mut done, stage.as_ref())?;
-            }
-            if interrupt::is_asked() {
-                break;
-            }
+    pub(super) fn render_all(
+        &mut self,
+        inputs: &mut Inputs,
+        targets: &[Target],
+        earlier: Option<&EarlierSamples>,
+    ) -> Result<u64, Error> {
+        warn_beforehand(inputs);
+        let result = thread::scope(|scope| self.render_each(targets, &inputs.load_ahead(scope, targets), earlier));
+        if let (Err(_), Some(frames)) = (&result, self.clash) {
+            let keys = inputs.leading.animation.as_ref().map_or(&[][..], |animation| &animation.keys);
+            return Err(inputs.film.other_program(keys, frames));
         }
-        let last = screen::progress().stage("finishing the files");
-        while !written.is_empty() {
-            self.finish(&mut written, &mut done, stage.as_ref())?;
-        }
-        drop((last, stage));
+        let unfollowed = result?;
         if self.there > 0 {
             tell!("{} of {} existed already, rendered with the same settings", self.there, targets.len());
         }
@@ -138,6 +121,41 @@ impl Work<'_> {
             tell!("reproduce with: {}", self.again);
         }
         Ok(unfollowed)
+    }
+
+    fn render_each(
+        &mut self,
+        targets: &[Target],
+        scenes: &Receiver<Result<Loaded, Error>>,
+        earlier: Option<&EarlierSamples>,
+    ) -> Result<u64, Error> {
+        let (mut unfollowed, mut done) = (0, 0);
+        let stage = (targets.len() > 1).then(|| screen::progress().counted(unit_of(targets), targets.len()));
+        let mut written = VecDeque::new();
+        let mut failure = None;
+        for &target in targets {
+            let Ok(loaded) = scenes.recv() else { break };
+            match loaded.and_then(|loaded| self.render(target, loaded, earlier)) {
+                Ok(next) => {
+                    unfollowed += next.unfollowed;
+                    written.push_back(next);
+                }
+                Err(error) => failure = Some(error),
+            }
+            if written.len() > most_written() {
+                self.finish(&mut written, &mut done, stage.as_ref())?;
+            }
+            if failure.is_some() || interrupt::is_asked() {
+                break;
+            }
+        }
+        // The targets before a failure are complete, and their results are printed.
+        let last = screen::progress().stage("finishing the files");
+        while !written.is_empty() {
+            self.finish(&mut written, &mut done, stage.as_ref())?;
+        }
+        drop((last, stage));
+        failure.map_or(Ok(unfollowed), Err)
     }
 
     /// Waits for the files of the first of these targets, and prints its result.
@@ -157,16 +175,14 @@ impl Work<'_> {
     }
 
     /// Renders a target, if it is not finished yet; its files are written in the background.
-    fn render(&mut self, target: Target, earlier: Option<&EarlierSamples>) -> Result<Written, Error> {
+    fn render(
+        &mut self,
+        target: Target,
+        Loaded { scene, metadata: said, moments }: Loaded,
+        earlier: Option<&EarlierSamples>,
+    ) -> Result<Written, Error> {
         let begun = Instant::now();
         let Target { frame, band } = target;
-        let scene = match frame {
-            None => self.leading.clone(),
-            Some(_) => settled(self.arguments.load(&self.film, frame, None)?, &self.leading),
-        };
-        let mut said = origin(&self.film, frame, self.gpu, &scene)?;
-        said.push((COMPARED.to_owned(), (self.settings.options.layers != self.layers).to_string()));
-        said.extend(self.verification.iter().flat_map(Verification::metadata));
         let layers = self.layers.clone();
         // A still image is rendered again at each request.
         if (frame.is_some() || band.is_some()) && self.arguments.is_finished(&scene, target, &layers, &said) {
@@ -175,8 +191,8 @@ impl Work<'_> {
         }
         let preview = self.arguments.preview(&scene, &layers, &said);
         let is_first = !std::mem::replace(&mut self.is_under_way, true);
-        self.set_up(scene.clone(), frame, is_first)?;
-        self.open_shutter(&scene, frame)?;
+        self.set_up(&scene, frame, is_first)?;
+        self.open_shutter(&scene, frame, moments)?;
         let window = self.window(&scene, band)?;
         let writers = self.arguments.open(&scene, (target, window), &layers, &said)?;
         let mut files = BackgroundWriter::new(writers);
@@ -207,7 +223,7 @@ impl Work<'_> {
     /// Returns the result of a target; `made` is `None` if it was finished before.
     fn result(&self, target: Target, made: Option<&Made>) -> Deferred {
         let files = self.arguments.paths(target);
-        Deferred::of(&Picture { scene: self.film.path, target, files, made })
+        Deferred::of(&Picture { scene: &self.arguments.scene, target, files, made })
     }
 
     /// Returns the window to render; for a band, the renderer is set to it.
@@ -223,26 +239,27 @@ impl Work<'_> {
     }
 
     /// Creates a renderer, or moves the existing one to another frame.
-    fn set_up(&mut self, scene: Scene, frame: Option<u32>, is_first: bool) -> Result<(), Error> {
+    fn set_up(&mut self, scene: &Scene, frame: Option<u32>, is_first: bool) -> Result<(), Error> {
         if let Some((renderer, first)) = &mut self.renderer {
             match (renderer.set_scene(scene.clone()), *first, frame) {
                 // The small image of a search may need another program.
                 (Err(RenderError::OtherProgram), ..) if is_first => self.renderer = None,
                 (Err(RenderError::OtherProgram), Some(a), Some(b)) => {
-                    return Err(self.other_program([a.into(), b.into()]));
+                    self.clash = Some([a.into(), b.into()]);
+                    return Err(RenderError::OtherProgram.into());
                 }
                 (result, ..) => result?,
             }
         }
         if self.renderer.is_none() {
-            self.renderer = Some((Renderer::keeping(self.gpu, scene, self.settings.clone())?, frame));
+            self.renderer = Some((Renderer::keeping(self.gpu, scene.clone(), self.settings.clone())?, frame));
         }
         let Some((renderer, _)) = self.renderer.as_mut().filter(|_| is_first) else { return Ok(()) };
         renderer.set_window(self.settings.window);
         if self.arguments.device.chooses_segments() {
             renderer.choose_segments()?;
         }
-        if let Some(words) = expected(renderer, &self.leading, self.settings.memory)? {
+        if let Some(words) = expected(renderer, scene, self.settings.memory)? {
             tell!("{words}");
         }
         self.launch.count(StartPart::Program);
@@ -250,21 +267,14 @@ impl Work<'_> {
     }
 
     /// Sets the shutter samples of a frame.
-    fn open_shutter(&mut self, scene: &Scene, frame: Option<u32>) -> Result<(), Error> {
+    fn open_shutter(&mut self, scene: &Scene, frame: Option<u32>, moments: Vec<Scene>) -> Result<(), Error> {
         let (Some(frame), Some((renderer, _))) = (frame, &mut self.renderer) else { return Ok(()) };
-        let moments = self.film.moments(frame, scene)?.into_iter();
-        match renderer.set_moments(moments.map(|moment| settled(moment, &self.leading)).collect()) {
-            Err(RenderError::OtherProgram) => {
-                let closes = scene.animation.as_ref().map_or(0.0, |animation| animation.shutter);
-                Err(self.other_program([f64::from(frame), f64::from(frame) + closes]))
-            }
-            result => Ok(result?),
+        let result = renderer.set_moments(moments);
+        if let Err(RenderError::OtherProgram) = &result {
+            let closes = scene.animation.as_ref().map_or(0.0, |animation| animation.shutter);
+            self.clash = Some([f64::from(frame), f64::from(frame) + closes]);
         }
-    }
-
-    fn other_program(&self, frames: [f64; 2]) -> Error {
-        let keys = self.leading.animation.as_ref().map_or(&[][..], |animation| &animation.keys);
-        self.film.other_program(keys, frames)
+        Ok(result?)
     }
 }
 
@@ -291,17 +301,6 @@ fn expected(renderer: &mut Renderer, scene: &Scene, memory: u64) -> Result<Optio
 /// Returns the unit in which targets are counted.
 fn unit_of(targets: &[Target]) -> &'static str {
     if targets.iter().any(|target| target.band.is_some()) { "part" } else { "frame" }
-}
-
-/// Returns a scene with the first frame's method, if the scene leaves its method open.
-fn settled(scene: Scene, first: &Scene) -> Scene {
-    if scene.rays.auto.is_none() {
-        return scene;
-    }
-    let mut scene = scene.followed_by(first.rays.method, first.rays.control, first.rays.closed_forms);
-    scene.rays.max_segments = first.rays.max_segments;
-    scene.rays.precision = first.rays.precision;
-    scene
 }
 
 fn render(
