@@ -16,24 +16,26 @@ fn stop_point(code: u32, hit: Hit, step: LastStep) -> PathPoint {
     if IN_PIECES {
         pass_top(code, hit, step, &h);
     }
-    var p = retaken_step(step.phase, h);
-    for (var i = 0u; i < STOP_STEPS; i++) {
+    var p: Phase;
+    var settled = false;
+    var unfinished = true;
+    // The loop begins with the step, so that the code contains it once: drivers repeat the code of every call. It has no `break`, after which
+    // Mesa's software driver went on changing h (22.3.6).
+    for (var i = 0u; unfinished; i++) {
+        p = retaken_step(step.phase, h);
         if TRAVELS {
             note_passage(p, step.tau + own_tau(step.phase, p, h));
         }
-        let surface = stop_distance(code, hit, p[0].xyz);
-        let slope = dot(surface.xyz, p[1].xyz);
-        let steep = abs(slope) > 1e-3 * length(p[1].xyz);
-        let correction = select(0.0, surface.w / (slope * own_pace(p)), steep);
-        h = clamp(h - correction, 0.0, step.h);
-        p = retaken_step(step.phase, h);
-        // Straight lines and leaps converge at once.
-        if abs(correction) <= LAST_PART * step.h {
-            break;
+        unfinished = !settled && i < STOP_STEPS;
+        if unfinished {
+            let surface = stop_distance(code, hit, p[0].xyz);
+            let slope = dot(surface.xyz, p[1].xyz);
+            let steep = abs(slope) > 1e-3 * length(p[1].xyz);
+            let correction = select(0.0, surface.w / (slope * own_pace(p)), steep);
+            h = clamp(h - correction, 0.0, step.h);
+            // Straight lines and leaps converge at once.
+            settled = abs(correction) <= LAST_PART * step.h;
         }
-    }
-    if TRAVELS {
-        note_passage(p, step.tau + own_tau(step.phase, p, h));
     }
     if FOLLOWS_SHIFT {
         note_end(p);

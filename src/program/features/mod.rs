@@ -270,7 +270,7 @@ impl Features {
             is_plane: facts.orbit.is_some_and(|orbit| orbit.is_plane()),
             is_about_center: is_about_center(scene),
             ends_with_steps,
-            keeps_last: ends_with_steps && !scene.rays.segment.has_chords() && schedule == Schedule::Whole,
+            keeps_last: schedule == Schedule::Whole && keeps_last(scene, device.is_processor || ends_with_steps),
             below_part: below_part(scene, mode, facts.below),
             carries_time: facts.carries_time,
             by_length: facts.by_length,
@@ -396,6 +396,12 @@ pub(super) fn ends_with_steps(scene: &Scene) -> bool {
     let separates = scene.law.facts().orbit.is_some_and(|orbit| !orbit.is_plane());
     let on_orbit = scene.rays.method.kind.path == Path::Orbit;
     on_orbit && separates && !scene.needs_arcs() && is_about_center(scene)
+}
+
+/// Returns `true` if the pass that takes the steps stores the last one of a path. On a GPU this costs up to 24 registers, so that it is only
+/// worth while for steps that may be repeated; `is_cheap` is true elsewhere.
+fn keeps_last(scene: &Scene, is_cheap: bool) -> bool {
+    !scene.rays.segment.has_chords() && (is_cheap || scene.rays.control.kind.rejects)
 }
 
 /// Returns `true` if the center of the bounding sphere is the center of the orbits, in every frame.
