@@ -267,9 +267,13 @@ impl Tile {
 }
 
 fn texture(gpu: &Gpu, label: &str, size: [u32; 2], format: TextureFormat) -> Texture {
+    // Mesa's software driver compiles a pass once more for textures whose width or height is a power of two, such as those of small images.
+    let most = gpu.limits.max_texture_dimension_2d;
+    let odd = |side: u32| if gpu.profile.is_processor && side.is_power_of_two() { (side + 1).min(most) } else { side };
+    let [width, height] = size.map(odd);
     gpu.device.create_texture(&TextureDescriptor {
         label: Some(label),
-        size: Extent3d { width: size[0], height: size[1], depth_or_array_layers: 1 },
+        size: Extent3d { width, height, depth_or_array_layers: 1 },
         mip_level_count: 1,
         sample_count: 1,
         dimension: TextureDimension::D2,
