@@ -84,11 +84,12 @@ impl TilePlace {
     ) {
         let own = self.left as usize..(self.left + self.width - self.margin) as usize;
         let mut rows = planes.map(|plane| plane.chunks_mut(width as usize));
-        let rows = std::iter::from_fn(|| {
+        let rows: Vec<[&mut [T]; N]> = std::iter::from_fn(|| {
             let row = rows.each_mut().map(Iterator::next);
             row.iter().all(Option::is_some).then(|| row.map(Option::unwrap_or_default))
-        });
-        rows.enumerate().par_bridge().for_each(|(y, mut row)| {
+        })
+        .collect();
+        rows.into_par_iter().enumerate().for_each(|(y, mut row)| {
             for (x, pixel) in own.clone().zip(y * self.width as usize..) {
                 for (plane, value) in row.iter_mut().zip(values(pixel)) {
                     plane[x] = value;
