@@ -279,13 +279,13 @@ pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
     }
     let compared = (COMPARED.to_owned(), (settings.options.layers != layers).to_string());
     let metadata = std::iter::once(compared).chain(measured.iter().flat_map(Verification::metadata)).collect();
-    let mut inputs = Inputs { arguments, film, gpu: &gpu, leading, metadata };
+    let mut inputs = Inputs { arguments, film, gpu: &gpu, leading, layers: &layers, metadata };
     let mut work = Work {
         arguments,
         again,
         gpu: &gpu,
         settings,
-        layers,
+        layers: layers.clone(),
         verification: measured,
         launch,
         renderer: renderer.map(|renderer| (renderer, is_film.then_some(0))),

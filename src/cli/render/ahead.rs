@@ -9,6 +9,7 @@ use crate::cli::origin::origin;
 use crate::cli::share::Target;
 use crate::error::Error;
 use crate::gpu::Gpu;
+use crate::program::Layer;
 use crate::scene::Scene;
 
 /// The inputs that the scenes of all targets are loaded from.
@@ -18,6 +19,8 @@ pub(super) struct Inputs<'a> {
     pub gpu: &'a Gpu,
     /// The scene whose method is used for every frame.
     pub leading: Scene,
+    /// The layers of the files.
+    pub layers: &'a [Layer],
     /// The metadata that all images share.
     pub metadata: Vec<(String, String)>,
 }
@@ -25,9 +28,11 @@ pub(super) struct Inputs<'a> {
 /// The scene of a target.
 pub(super) struct Loaded {
     pub scene: Scene,
+    /// `true` if the files of the target exist and match the current settings.
+    pub is_finished: bool,
     /// The metadata of its images.
     pub metadata: Vec<(String, String)>,
-    /// The scenes of its shutter samples.
+    /// The scenes of its shutter samples; none if it is finished.
     pub moments: Vec<Scene>,
 }
 
@@ -41,7 +46,7 @@ impl Inputs<'_> {
         let (sender, receiver) = sync_channel(0);
         scope.spawn(move || {
             for target in targets {
-                if sender.send(self.load(target.frame)).is_err() {
+                if sender.send(self.load(*target)).is_err() {
                     break;
                 }
             }
@@ -49,17 +54,23 @@ impl Inputs<'_> {
         receiver
     }
 
-    fn load(&self, frame: Option<u32>) -> Result<Loaded, Error> {
-        let (scene, moments) = match frame {
-            None => (self.leading.clone(), Vec::new()),
-            Some(number) => {
-                let scene = self.settled(self.arguments.load(&self.film, frame, None)?);
-                let moments = self.film.moments(number, &scene)?;
-                (scene, moments.into_iter().map(|moment| self.settled(moment)).collect())
-            }
+    fn load(&self, target: Target) -> Result<Loaded, Error> {
+        let Target { frame, band } = target;
+        let scene = match frame {
+            None => self.leading.clone(),
+            Some(_) => self.settled(self.arguments.load(&self.film, frame, None)?),
         };
         let own = origin(&self.film, frame, self.gpu, &scene)?;
-        Ok(Loaded { scene, metadata: own.into_iter().chain(self.metadata.clone()).collect(), moments })
+        let metadata: Vec<_> = own.into_iter().chain(self.metadata.clone()).collect();
+        // A still image is rendered again at each request.
+        let is_kept = frame.is_some() || band.is_some();
+        let is_finished = is_kept && self.arguments.is_finished(&scene, target, self.layers, &metadata);
+        let moments = match frame.filter(|_| !is_finished) {
+            Some(frame) => self.film.moments(frame, &scene)?,
+            None => Vec::new(),
+        };
+        let moments = moments.into_iter().map(|moment| self.settled(moment)).collect();
+        Ok(Loaded { scene, is_finished, metadata, moments })
     }
 
     /// Returns a scene with the first frame's method, if the scene leaves its method open.

@@ -178,14 +178,13 @@ impl Work<'_> {
     fn render(
         &mut self,
         target: Target,
-        Loaded { scene, metadata: said, moments }: Loaded,
+        Loaded { scene, is_finished, metadata: said, moments }: Loaded,
         earlier: Option<&EarlierSamples>,
     ) -> Result<Written, Error> {
         let begun = Instant::now();
         let Target { frame, band } = target;
         let layers = self.layers.clone();
-        // A still image is rendered again at each request.
-        if (frame.is_some() || band.is_some()) && self.arguments.is_finished(&scene, target, &layers, &said) {
+        if is_finished {
             self.there += 1;
             return Ok(Written { files: None, result: self.result(target, None), totals: None, unfollowed: 0 });
         }
