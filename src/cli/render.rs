@@ -285,7 +285,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
         again,
         gpu: &gpu,
         settings,
-        layers: layers.clone(),
+        layers: &layers,
         verification: measured,
         launch,
         renderer: renderer.map(|renderer| (renderer, is_film.then_some(0))),

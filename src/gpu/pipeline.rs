@@ -139,10 +139,9 @@ fn module(gpu: &Gpu, linked: &LinkedProgram) -> ShaderModule {
 /// Returns the division of images of this width and height.
 fn division(gpu: &Gpu, [width, height]: [u32; 2], features: &Features) -> Division {
     let pixels = u64::from(width) * u64::from(height);
-    // Neighbors on a GPU run the same code for curved rays only as long as they begin together. On one H200 an image with 8 pixels per
-    // invocation takes 0.89 (paths/box) and 0.83 (paths/prism) times as long, but 1.09 (paths/hole) and 1.3 (paths/luneburg) if rays curve.
-    let refills = features.follows_paths && (gpu.profile.is_processor || !features.keeps_taken);
-    let lane_pixels = if refills { gpu.profile.random_lane_pixels(pixels) } else { gpu.profile.lane_pixels };
+    let profile = &gpu.profile;
+    let random = || profile.random_lane_pixels(pixels, features.keeps_taken);
+    let lane_pixels = if features.follows_paths { random() } else { profile.lane_pixels };
     Division { group: narrowed(gpu.group, width), lane_pixels }
 }
 

@@ -37,7 +37,8 @@ pub(super) struct Loaded {
 }
 
 impl Inputs<'_> {
-    /// Loads the scenes of all targets in order, on another thread, at most one ahead. The thread ends when the receiver is dropped.
+    /// Loads the scenes of all targets in order, on another thread, at most one ahead. The thread ends when the receiver is dropped;
+    /// until then it alone uses the film, whose caches are not shared.
     pub(super) fn load_ahead<'s>(
         &'s mut self,
         scope: &'s Scope<'s, '_>,

@@ -37,7 +37,7 @@ pub(super) struct Work<'a> {
     pub gpu: &'a Gpu,
     pub settings: RenderSettings,
     /// The layers of the files; the device may keep more.
-    pub layers: Vec<Layer>,
+    pub layers: &'a [Layer],
     pub verification: Option<Verification>,
     pub launch: StartUp,
     /// The renderer, with the number of the frame for which it was made; a search makes one for the first frame.
@@ -183,24 +183,24 @@ impl Work<'_> {
     ) -> Result<Written, Error> {
         let begun = Instant::now();
         let Target { frame, band } = target;
-        let layers = self.layers.clone();
+        let layers = self.layers;
         if is_finished {
             self.there += 1;
             return Ok(Written { files: None, result: self.result(target, None), totals: None, unfollowed: 0 });
         }
-        let preview = self.arguments.preview(&scene, &layers, &said);
+        let preview = self.arguments.preview(&scene, layers, &said);
         let is_first = !std::mem::replace(&mut self.is_under_way, true);
         self.set_up(&scene, frame, is_first)?;
         self.open_shutter(&scene, frame, moments)?;
         let window = self.window(&scene, band)?;
-        let writers = self.arguments.open(&scene, (target, window), &layers, &said)?;
+        let writers = self.arguments.open(&scene, (target, window), layers, &said)?;
         let mut files = BackgroundWriter::new(writers);
         let ready = begun.elapsed();
         screen::advise(self.arguments.preview_advice(&scene, target));
         let Some((renderer, _)) = &mut self.renderer else {
             return Ok(Written { files: None, result: self.result(target, None), totals: None, unfollowed: 0 });
         };
-        let totals = render(renderer, &mut files, &mut self.launch, (earlier, preview.as_ref(), &layers))?;
+        let totals = render(renderer, &mut files, &mut self.launch, (earlier, preview.as_ref(), layers))?;
         screen::advise(None);
         files.complete()?;
         let lights = self.renderer.as_ref().map(|(renderer, _)| renderer.light_reports()).unwrap_or_default();
