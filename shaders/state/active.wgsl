@@ -6,8 +6,8 @@ const GROUP: u32 = 64u;
 // so that the host may set another number.
 override GROUP_WIDTH: u32 = 8u;
 
-// The number of pixels that one invocation of the pass `whole` follows, one below the other: with more pixels, the setup of a group costs
-// each of them less, and there are fewer groups. The host sets another number for CPUs.
+// The number of pixels that one invocation of the pass `whole` follows: with more pixels, the setup of a group costs each of them less, and
+// there are fewer groups. The host sets another number for CPUs.
 override LANE_PIXELS: u32 = 1u;
 
 // The position of an invocation in its dispatch. It excludes the number of groups: naga's HLSL takes that from the driver in the entry
@@ -54,10 +54,12 @@ fn group_extent() -> vec2u {
     return vec2u(GROUP_WIDTH, GROUP / GROUP_WIDTH);
 }
 
-// Returns the invocation of the k-th of several pixels, as if each pixel had one.
+// Returns the invocation of the k-th of several pixels, as if each pixel had one. The pixels are spread over the height of the tile, because
+// drivers for CPUs give each core one block of groups: a sky above a floor would otherwise keep one core waiting for another.
 fn lane_invocation(own: Invocation, each: u32, k: u32) -> Invocation {
+    let rows = group_extent().y * each;
     var at = own;
-    at.group.y = own.group.y * each + k;
+    at.group.y += k * ((frame.size.y + rows - 1u) / rows);
     return at;
 }
 

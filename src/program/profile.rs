@@ -7,7 +7,7 @@ pub struct DeviceProfile {
     pub loop_budget: Option<LoopBudget>,
     /// The width of a workgroup in pixels; `None` for the default in `shaders/state/active.wgsl`.
     pub group_width: Option<u32>,
-    /// The number of pixels that one invocation of the pass `whole` follows, one below the other.
+    /// The number of pixels that one invocation of the pass `whole` follows.
     pub lane_pixels: u32,
     /// The number of invocations that keeps the device busy.
     pub invocations: u64,
