@@ -5,11 +5,13 @@
 //!
 //! *Practice.* A search among methods compiles a program for each, and one in 64 bits for the reference solution, which takes seconds on a
 //! CPU. Most images take less. [`Preparation`] therefore compiles the image's program with the method that is the cheapest for most laws,
-//! and finds an accurate setting on the image's rays. It compares methods only for expensive images.
+//! and finds an accurate setting on the image's rays. If no setting is accurate, it tries the method for a tolerance. It compares all methods
+//! only for expensive images.
 
 use std::fmt;
 
 use super::ends::{Settled, compared_layers};
+use super::methods::next_method;
 use super::refined::{Refinement, Trying};
 use super::trials::{LOST, MARGIN, TOO_MANY, Trial, Trials, segments};
 use super::{fast_methods, usual_method};
@@ -140,8 +142,15 @@ impl<'a, 's> Preparation<'a, 's> {
         let stage = gpu.progress.stage(SEARCH);
         let mut own = None;
         if let Some(mut trying) = trying
-            && let Some(found) = trying.search(MARGIN * accuracy, rays)?
+            && let Some(mut found) = trying.search(MARGIN * accuracy, rays)?
         {
+            if !found.suffices(accuracy)
+                && let Some(next) = next_method(scene, trying.method())
+                && let Some(mut next) = Trying::new(gpu, scene, settings, next, (accuracy, segments(scene)))?
+                && let Some(better) = next.search(MARGIN * accuracy, rays)?.filter(|next| next.is_better(&found))
+            {
+                (trying, found) = (next, better);
+            }
             let calibration = trusted(scene, settings, accuracy, &trying, found);
             if found.cost * rays as f64 <= WORTH_A_SEARCH {
                 return Ok((Some(calibration), Some(trying.renderer)));

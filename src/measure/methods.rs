@@ -71,6 +71,12 @@ pub fn usual_method(scene: &Scene) -> Option<Candidate> {
     Some(all.swap_remove(at))
 }
 
+/// Returns the method that is tried if `method` is not accurate: a tolerance, which also shortens steps where the law changes suddenly.
+pub(super) fn next_method(scene: &Scene, method: Method) -> Option<Candidate> {
+    let is_next = |candidate: &Candidate| candidate.method == TOLERANT && method.kind.path == Path::Steps;
+    fast_methods(scene).into_iter().find(is_next).filter(|next| next.method != method)
+}
+
 /// Returns `true` if the other method has equal order and planned steps with fewer evaluations of the same derivative.
 fn outdoes(other: &MethodKind, kind: &MethodKind) -> bool {
     let planned = |kind: &MethodKind| kind.path == Path::Steps && kind.controls.starts_with(&PLANNED);

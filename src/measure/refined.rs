@@ -48,6 +48,24 @@ pub(super) struct Refinement {
     pub rays: Settled,
 }
 
+impl Refinement {
+    /// Returns `true` if the required error is reached, and nearly all rays have an end.
+    pub fn suffices(&self, accuracy: f64) -> bool {
+        self.error <= accuracy && !self.rays.is_lacking() && !self.loses_rays()
+    }
+
+    /// Returns `true` if the rays of this method are more often settled than those of another, or as often and more accurate.
+    pub fn is_better(&self, other: &Self) -> bool {
+        let rank = |found: &Self| (found.loses_rays(), found.rays.is_lacking(), found.error);
+        rank(self) < rank(other)
+    }
+
+    /// Returns `true` if more than one of a thousand rays has no end.
+    fn loses_rays(&self) -> bool {
+        1000 * self.rays.endless > self.rays.all
+    }
+}
+
 /// The ends of a run's rays, and the cost of one ray.
 struct Run {
     ends: Vec<End>,

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use glam::DVec3;
 
-use super::{CharacteristicSurface, Form, Invariant, Kind, Law, LawProperties};
+use super::{CharacteristicSurface, Form, Invariant, Kind, Law, LawProperties, UsualSteps};
 use crate::document::keys;
 use crate::model::medium::{self, Surroundings};
 use crate::model::{Medium, Wgsl};
@@ -46,7 +46,12 @@ impl Law for InMedium {
     }
 
     fn facts(&self) -> LawProperties<'_> {
-        LawProperties { form: Form::Medium(&self.0), terms: self.0.facts().terms, ..LawProperties::default() }
+        LawProperties {
+            usual_steps: UsualSteps::Scaled,
+            terms: self.0.facts().terms,
+            form: Form::Medium(&self.0),
+            ..LawProperties::default()
+        }
     }
 
     fn invariants(&self, x: DVec3, v: DVec3) -> Vec<Invariant> {

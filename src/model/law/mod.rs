@@ -155,7 +155,8 @@ pub enum UsualSteps {
     Orbit,
     /// Steps that a tolerance determines.
     Tolerant,
-    /// A fixed fraction of the law's length scale, for laws whose scale is so short that the fraction seldom has to be small.
+    /// A fixed fraction of the law's length scale: for laws whose scale is so short that the fraction seldom has to be small, and for those
+    /// whose derivative is long, because the program of a tolerance contains it more often. A tolerance is tried next if it does not suffice.
     Scaled,
 }
 

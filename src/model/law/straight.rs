@@ -5,7 +5,7 @@ use std::sync::Arc;
 use glam::{DMat4, DVec3, DVec4};
 
 use super::observer::in_space;
-use super::{Invariant, Kind, Law, LawProperties, Observer, USUAL_PARTS};
+use super::{Invariant, Kind, Law, LawProperties, Observer, USUAL_PARTS, UsualSteps};
 use crate::model::{STRAIGHT, Wgsl};
 
 pub static KIND: Kind = Kind { name: "straight", keys: &[], read: |_, _| Some(Arc::new(Straight)) };
@@ -23,6 +23,8 @@ impl Law for Straight {
         LawProperties {
             closed_form: Some(&STRAIGHT),
             is_straight: true,
+            // Only media of interiors need steps.
+            usual_steps: UsualSteps::Scaled,
             keeps_time: true,
             momentum_parts: &["law/momentum/flat"],
             ..LawProperties::default()

@@ -12,7 +12,7 @@ use std::sync::Arc;
 use glam::{DMat4, DVec3, DVec4};
 
 use super::observer::{in_space, spherical};
-use super::{Invariant, Kind, Law, LawProperties, Observer, Order, Throat};
+use super::{Invariant, Kind, Law, LawProperties, Observer, Order, Throat, UsualSteps};
 use crate::document::keys;
 use crate::document::values::{not_negative, positive, vector};
 use crate::model::{Binding, Wgsl, row};
@@ -99,6 +99,7 @@ impl Law for Wormhole {
         LawProperties {
             order: Order::General,
             keeps_time: true,
+            usual_steps: UsualSteps::Scaled,
             throat: Some(self.joint()),
             momentum_parts: &["law/momentum/wormhole"],
             refuses_interiors: Some("near a wormhole, the speed of light in an interior is not defined"),

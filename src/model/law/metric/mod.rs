@@ -15,7 +15,7 @@ use std::sync::Arc;
 use glam::{DMat3, DMat4, DVec3, DVec4};
 
 use super::observer::{four_velocity, light_speed};
-use super::{Form, Invariant, Kind, Law, LawProperties, Observer, Order, Throat};
+use super::{Form, Invariant, Kind, Law, LawProperties, Observer, Order, Throat, UsualSteps};
 use crate::assets::{LineElement, Spot};
 use crate::document::keys;
 use crate::model::{Binding, Wgsl, row};
@@ -197,6 +197,7 @@ impl Law for Metric {
             carries_time: in_time,
             changes_with_time: in_time,
             keeps_time: true,
+            usual_steps: UsualSteps::Scaled,
             throat: self.throat,
             form: Form::LineElement(&self.element),
             momentum_parts: &["law/momentum/metric"],
