@@ -30,7 +30,7 @@ use super::{of_scene, say_line};
 use crate::error::Error;
 use crate::measure::{Verification, verify};
 use crate::output::origin::COMPARED;
-use crate::output::{has_extension, is_film};
+use crate::output::{has_extension, is_film, stores_layers};
 use crate::program::Layer;
 use crate::render::{RenderError, RenderSettings, StartPart, StartUp, Status, Totals, Window};
 use crate::scene::Scene;
@@ -38,15 +38,15 @@ use ahead::Inputs;
 pub(super) use picture::followed;
 use work::Work;
 
-/// Render a scene to a PNG (for viewing), an EXR (linear color and layers), or both
+/// Render a scene to a PNG (for viewing), to an EXR, NPZ or FITS file (linear color and layers), or to several of them
 #[derive(Debug, Args)]
 pub(super) struct Arguments {
     /// The scene file, or - for standard input; the files that it names are then relative to the working directory
     pub(super) scene: PathBuf,
-    /// Output file, .png or .exr; with --frames also a video: .mp4, .webm, .gif or .png (repeatable)
+    /// Output file: .png, .exr, .npz, .npy or .fits; with --frames also a video: .mp4, .webm, .gif or .png (repeatable)
     #[arg(short, long, required = true, value_name = "FILE", value_parser = paths::file())]
     output: Vec<PathBuf>,
-    /// Layers of the EXR; by default all, with `samples` only if sampling is adaptive
+    /// Layers of an .exr, .npz or .fits; by default all, with `samples` only if sampling is adaptive
     #[arg(long, value_parser = layers(), value_delimiter = ',', value_name = "LAYER")]
     layers: Option<Vec<Option<Layer>>>,
     #[command(flatten)]
@@ -108,8 +108,8 @@ fn is_exr(path: &Path) -> bool {
 impl Arguments {
     fn check(&self) -> Result<(), Error> {
         self.device.check()?;
-        if self.layers.is_some() && !self.output.iter().chain(&self.preview).any(|path| is_exr(path)) {
-            return Err(usage!("--layers requires an EXR output: add one with -o"));
+        if self.layers.is_some() && !self.output.iter().chain(&self.preview).any(|path| stores_layers(path)) {
+            return Err(usage!("--layers requires an output that stores layers: add an .exr, .npz or .fits with -o"));
         }
         if self.layers.as_ref().is_some_and(|layers| layers.len() > 1 && layers.contains(&None)) {
             return Err(usage!("--layers: `none` cannot be combined with other layers"));

@@ -4,11 +4,11 @@ use std::path::Path;
 
 use super::words::quoted;
 use crate::error::Error;
-use crate::output::{OutputError, has_extension, is_film};
+use crate::output::{OutputError, is_film, is_picture};
 
 /// Rejects the names of images and videos: a user who gives one intends to render.
 pub(super) fn check_scene_name(path: &Path) -> Result<(), Error> {
-    if !is_film(path) && !["png", "exr"].iter().any(|end| has_extension(path, end)) {
+    if !is_film(path) && !is_picture(path) {
         return Ok(());
     }
     let problem = "this command writes a scene, not an image; use a name such as scene.toml, then render it".to_owned();

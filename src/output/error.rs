@@ -60,7 +60,9 @@ pub enum OutputError {
     #[error("standard output could not be written: {0}")]
     Stdout(io::Error),
     /// The extension is not that of a supported image format.
-    #[error("{path}: the name must end in .png (color, for viewing) or .exr (all layers, exact)")]
+    #[error(
+        "{path}: the name must end in .png (color, for viewing), in .exr, .npz or .fits (all layers, exact), or in .npy (color)"
+    )]
     Format {
         /// The requested file.
         path: PathBuf,

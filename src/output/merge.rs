@@ -9,15 +9,16 @@ use super::band::channel_names;
 use super::exr::ExrWriter;
 use super::origin::{SHOWN, difference, shown_words};
 use super::part::ImagePart;
-use super::{FileSettings, ImageWriter, OutputError, has_extension, open};
-use crate::render::{Band, Window};
+use super::whole::band_of;
+use super::{FileSettings, ImageWriter, OutputError, has_extension, open, stores_layers};
+use crate::render::Window;
 
 /// The number of rows written at once: enough blocks for all cores.
 const ROWS: usize = 64;
 /// The size of a sample, which is a 32-bit float or an id.
 const SAMPLE_BYTES: usize = 4;
 
-/// Merges the EXRs at `parts` into each of `outputs`: an EXR, or a PNG as a render of the whole image would have written it.
+/// Merges the EXRs at `parts` into each of `outputs`, as a render of the whole image would have written it.
 ///
 /// # Errors
 ///
@@ -73,8 +74,8 @@ pub fn merge(parts: &[PathBuf], outputs: &[PathBuf]) -> Result<(), OutputError> 
 /// An unfinished file of the whole image.
 enum Whole {
     Exr(Box<ExrWriter>),
-    /// The writer, with the indices of the color channels and of alpha, if present, among the parts' channels, and their number.
-    Png(Box<dyn ImageWriter>, Vec<usize>, usize, usize),
+    /// A writer of another format, with the settings of the parts.
+    Other(Box<dyn ImageWriter>, FileSettings),
 }
 
 impl Whole {
@@ -82,34 +83,34 @@ impl Whole {
         if has_extension(path, "exr") {
             return Ok(Self::Exr(Box::new(ExrWriter::create(path, settings)?)));
         }
-        let names = channel_names(settings);
-        let wanted = ["R", "G", "B"].into_iter().chain(settings.alpha.then_some("A"));
-        let places = wanted.filter_map(|name| names.iter().position(|other| *other == name)).collect();
-        let writer = open(path, &FileSettings { layers: Vec::new(), ..settings.clone() })?;
-        Ok(Self::Png(writer, places, names.len(), settings.size[0] as usize))
+        let layers = if stores_layers(path) { settings.layers.clone() } else { Vec::new() };
+        let writer = open(path, &FileSettings { layers, ..settings.clone() })?;
+        Ok(Self::Other(writer, settings.clone()))
     }
 
     fn write_rows(&mut self, first_row: u32, bytes: &[u8]) -> Result<(), OutputError> {
-        let (writer, places, channels, width) = match self {
+        let (writer, settings) = match self {
             Self::Exr(writer) => return writer.write_rows(bytes),
-            Self::Png(writer, places, channels, width) => (writer, places, *channels, *width),
+            Self::Other(writer, settings) => (writer, settings),
         };
-        let row_bytes = SAMPLE_BYTES * channels * width;
-        let mut planes = places.iter().map(|place| -> Vec<f32> {
-            let of_row = |row: &[u8]| -> Vec<f32> {
+        let width = settings.size[0] as usize;
+        let names = channel_names(settings);
+        let row_bytes = SAMPLE_BYTES * names.len() * width;
+        let plane = |place: usize| -> Vec<u32> {
+            let of_row = |row: &[u8]| -> Vec<u32> {
                 bytemuck::pod_collect_to_vec(&row[SAMPLE_BYTES * place * width..SAMPLE_BYTES * (place + 1) * width])
             };
             bytes.chunks_exact(row_bytes).flat_map(of_row).collect()
-        });
-        let color = [(); 3].map(|()| planes.next().unwrap_or_default());
-        let (rows, alpha) = ((bytes.len() / row_bytes) as u32, planes.next());
-        writer.write_band(&Band { first_row, rows, width: width as u32, color, alpha, layers: Vec::new() })
+        };
+        let planes = names.iter().enumerate().map(|(place, name)| (*name, plane(place))).collect();
+        let rows = (bytes.len() / row_bytes) as u32;
+        writer.write_band(&band_of(settings, planes, [first_row, rows]))
     }
 
     fn finish(self) -> Result<(), OutputError> {
         match self {
             Self::Exr(writer) => writer.finish(),
-            Self::Png(writer, ..) => writer.finish(),
+            Self::Other(writer, _) => writer.finish(),
         }
     }
 }

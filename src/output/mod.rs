@@ -4,7 +4,7 @@
 //! unwritable path is reported first. Image writers ([`open`], [`ImageWriter`]) receive bands of full-width rows from the top, also on
 //! another thread ([`BackgroundWriter`]). They store one band and a compressed tail, so that memory grows with the band and not with the
 //! image. A PNG stores display colors ([`png`]); an EXR stores every plane exactly ([`exr`]), also of a part of an image, and [`merge()`]
-//! merges parts. Rays and results are CSV ([`csv`]), plots are SVG or PNG ([`plot`]), and a page of HTML shows them next to their tables
+//! merges parts. The same planes are written as arrays for `NumPy` ([`npy`]) and for astronomy ([`fits`]). Rays and results are CSV ([`csv`]), plots are SVG or PNG ([`plot`]), and a page of HTML shows them next to their tables
 //! ([`report`]). Identical input gives identical bytes.
 
 pub mod atomic;
@@ -14,9 +14,12 @@ pub mod color;
 pub mod csv;
 pub mod error;
 pub mod exr;
+pub mod fits;
 pub mod merge;
+pub mod npy;
 pub mod origin;
 mod part;
+mod planes;
 pub mod plot;
 pub mod png;
 pub mod report;
@@ -137,8 +140,7 @@ pub trait ImageWriter: Send {
 
 /// Writes a whole rendering of `scene` to `path`, with its stored layers, as the `render` of a scene file would.
 ///
-/// The extension selects the format: `.png` stores display colors, `.exr` linear colors and layers. The file is written completely or not
-/// at all.
+/// The extension selects the format, as in [`open`]. The file is written completely or not at all.
 ///
 /// # Errors
 ///
@@ -175,7 +177,23 @@ pub(crate) fn has_extension(path: &Path, name: &str) -> bool {
     path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case(name))
 }
 
-/// Starts an image at `path` in the format of its extension, `.png` or `.exr`, and returns its writer.
+/// The extensions of the formats that store layers.
+const WITH_LAYERS: [&str; 3] = ["exr", "npz", "fits"];
+
+/// Returns `true` if the format of the image at `path` stores layers.
+#[must_use]
+pub fn stores_layers(path: &Path) -> bool {
+    WITH_LAYERS.iter().any(|extension| has_extension(path, extension))
+}
+
+/// Returns `true` if `path` has the extension of an image that [`open`] writes.
+#[must_use]
+pub fn is_picture(path: &Path) -> bool {
+    stores_layers(path) || ["png", "npy"].iter().any(|extension| has_extension(path, extension))
+}
+
+/// Starts an image at `path` in the format of its extension, and returns its writer: `.png` stores display colors, `.exr`, `.npz` and
+/// `.fits` linear colors and layers, and `.npy` linear colors.
 ///
 /// # Errors
 ///
@@ -209,6 +227,9 @@ pub fn open(path: &Path, settings: &FileSettings) -> Result<Box<dyn ImageWriter>
     match extension.as_deref() {
         Some("png") => Ok(Box::new(png::PngWriter::create(path, settings)?)),
         Some("exr") => Ok(Box::new(exr::ExrWriter::create(path, settings)?)),
+        Some("npz") => Ok(Box::new(npy::NpzWriter::create(path, settings)?)),
+        Some("npy") => Ok(Box::new(npy::NpyWriter::create(path, settings)?)),
+        Some("fits") => Ok(Box::new(fits::FitsWriter::create(path, settings)?)),
         _ => Err(OutputError::Format { path: path.to_owned() }),
     }
 }

@@ -5,9 +5,10 @@
 //! can show the key that differs. If the lines exceed [`LISTED`] bytes, only the hash is stored.
 
 use std::collections::BTreeMap;
-use std::fmt;
+use std::fmt::{self, Write};
 
 use super::FileSettings;
+use crate::program::Layer;
 use crate::render::Window;
 use crate::scene::Tonemap;
 
@@ -28,6 +29,10 @@ pub const DEVICE: &str = "device";
 pub(super) const SHOWN: &str = "shown";
 /// The key of the part and the whole's size, for formats that do not store them otherwise.
 pub(super) const PART: &str = "part";
+/// The key of the names of the layers, for formats that do not store them otherwise.
+const LAYERS: &str = "layers";
+/// The name of alpha among the layers.
+const ALPHA: &str = "alpha";
 
 /// The largest size of a scene's lines, in bytes.
 pub const LISTED: usize = 1 << 16;
@@ -88,6 +93,43 @@ pub(super) fn with_part(settings: FileSettings, text: &str) -> Option<FileSettin
     Some(FileSettings { size: [width, height], window: Window { origin: [x, y], size: [w, h] }, ..settings })
 }
 
+/// Returns the settings of a file as an object of JSON in ASCII.
+pub(super) fn metadata_json(settings: &FileSettings) -> String {
+    let own = [(PART, part_words(settings)), (SHOWN, shown_words(settings)), (LAYERS, layer_words(settings))];
+    let said = settings.metadata.iter().map(|(key, text)| (key.as_str(), text.clone()));
+    let all: BTreeMap<&str, String> = said.chain(own).collect();
+    let mut ascii = String::new();
+    for unit in serde_json::json!(all).to_string().encode_utf16() {
+        match u8::try_from(unit) {
+            Ok(byte @ b' '..=b'~') => ascii.push(byte.into()),
+            _ => {
+                let _ = write!(ascii, "\\u{unit:04x}");
+            }
+        }
+    }
+    ascii
+}
+
+/// Returns the settings of a text of [`metadata_json`].
+pub(super) fn with_metadata_json(text: &str) -> Option<FileSettings> {
+    let mut said: BTreeMap<String, String> = serde_json::from_str(text).ok()?;
+    let [part, shown, layers] = [PART, SHOWN, LAYERS].map(|key| said.remove(key).unwrap_or_default());
+    let names: Vec<&str> = layers.split(',').filter(|name| !name.is_empty()).collect();
+    let settings = FileSettings {
+        alpha: names.contains(&ALPHA),
+        layers: Layer::ALL.into_iter().filter(|layer| names.contains(&layer.name())).collect(),
+        metadata: said.into_iter().collect(),
+        ..FileSettings::new([1, 1])
+    };
+    with_part(settings, &part).and_then(|settings| with_shown(settings, &shown))
+}
+
+/// Returns the names of the layers, and of alpha if the image has any.
+fn layer_words(settings: &FileSettings) -> String {
+    let names = settings.layers.iter().map(|layer| layer.name());
+    names.chain(settings.alpha.then_some(ALPHA)).collect::<Vec<_>>().join(",")
+}
+
 /// Returns the difference of two files, if they do not store one part of one image in one format.
 #[must_use]
 pub fn file_difference(own: &FileSettings, wanted: &FileSettings) -> Option<String> {
@@ -95,12 +137,8 @@ pub fn file_difference(own: &FileSettings, wanted: &FileSettings) -> Option<Stri
         let [own, wanted] = [own, wanted].map(of);
         (own != wanted).then(|| format!("its `{what}` is `{own}`, not `{wanted}`"))
     };
-    let layers = |settings: &FileSettings| {
-        let names = settings.layers.iter().map(|layer| layer.name());
-        names.chain(settings.alpha.then_some("alpha")).collect::<Vec<_>>().join(",")
-    };
     words(PART, part_words)
-        .or_else(|| words("layers", layers))
+        .or_else(|| words(LAYERS, layer_words))
         .or_else(|| difference([&own.metadata, &wanted.metadata], &[]).map(|difference| difference.to_string()))
         .or_else(|| words(SHOWN, shown_words))
 }

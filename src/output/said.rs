@@ -5,11 +5,13 @@ use std::fs::File;
 use std::io::BufReader;
 use std::path::Path;
 
+use super::fits::settings_of_fits;
+use super::npy::settings_of_npz;
 use super::origin::{PART, SHOWN, with_part, with_shown};
 use super::part::{ImagePart, said_by_exr};
-use super::{FileSettings, OutputError, has_extension};
+use super::{FileSettings, OutputError, has_extension, stores_layers};
 
-/// Returns the metadata under `key` of the image at `path`, an EXR or a PNG.
+/// Returns the metadata under `key` of the image at `path`.
 ///
 /// # Errors
 ///
@@ -18,6 +20,7 @@ pub fn said(path: &Path, key: &str) -> Result<String, OutputError> {
     let text = match () {
         () if has_extension(path, "exr") => said_by_exr(path, key)?,
         () if has_extension(path, "png") => said_by_png(path, key)?,
+        () if stores_layers(path) => settings_of(path)?.said(key).map(str::to_owned),
         () => return Err(OutputError::Format { path: path.to_owned() }),
     };
     text.ok_or_else(|| {
@@ -33,6 +36,10 @@ pub fn said(path: &Path, key: &str) -> Result<String, OutputError> {
 pub fn settings_of(path: &Path) -> Result<FileSettings, OutputError> {
     if has_extension(path, "exr") {
         return Ok(ImagePart::open(path)?.settings);
+    }
+    if stores_layers(path) {
+        let found = if has_extension(path, "npz") { settings_of_npz(path) } else { settings_of_fits(path) };
+        return found?.ok_or_else(|| unsaid(path, "this image was not written by `render`".to_owned()));
     }
     let reader = png_reader(path)?;
     let info = reader.info();

@@ -27,6 +27,16 @@ pub fn picture(path: &Path) -> Result<(FileSettings, Band), OutputError> {
             planes.entry(name).or_default().extend(words);
         }
     }
+    let band = band_of(&settings, planes, [0, rows]);
+    Ok((settings, band))
+}
+
+/// Returns a band of these rows, from the bits of each channel.
+pub(super) fn band_of(
+    settings: &FileSettings,
+    mut planes: BTreeMap<&str, Vec<u32>>,
+    [first_row, rows]: [u32; 2],
+) -> Band {
     let mut floats = |name: &str| -> Vec<f32> { bytemuck::cast_vec(planes.remove(name).unwrap_or_default()) };
     let color = ["R", "G", "B"].map(&mut floats);
     let alpha = settings.alpha.then(|| floats("A"));
@@ -36,5 +46,5 @@ pub fn picture(path: &Path) -> Result<(FileSettings, Band), OutputError> {
         names => Plane::Scalar(names.first().map(|name| floats(name)).unwrap_or_default()),
     };
     let layers = settings.layers.iter().map(|layer| (*layer, plane(*layer))).collect();
-    Ok((settings, Band { first_row: 0, rows, width, color, alpha, layers }))
+    Band { first_row, rows, width: settings.window.size[0], color, alpha, layers }
 }

@@ -2,6 +2,7 @@
 
 #![allow(clippy::float_cmp)] // numbers that are exact by design are compared exactly
 
+mod arrays;
 mod attacks;
 mod bad_files;
 mod bad_options;

@@ -12,7 +12,7 @@ fn targets_that_cannot_be_written_are_refused_before_the_work() {
         ("render scene.toml -o a.png -o nodir/b.exr", "nodir/b.exr: the folder nodir does not exist"),
         ("render scene.toml -o folder.png", "folder.png: this is a folder, and only a regular file"),
         ("render scene.toml -o scene.toml/a.png", "scene.toml/a.png: "),
-        ("render scene.toml -o a.jpg", "a.jpg: the name must end in .png (color, for viewing) or .exr"),
+        ("render scene.toml -o a.jpg", "a.jpg: the name must end in .png (color, for viewing), in .exr"),
         ("render scene.toml -o a", "a: the name must end in .png"),
         ("render scene.toml -o a.png -o b.gif", "b.gif: a video consists of frames; add --frames all"),
         ("trace scene.toml --rays rays.csv -o nodir/a.csv", "nodir/a.csv: the folder nodir does not exist"),

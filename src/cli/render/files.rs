@@ -11,7 +11,7 @@ use crate::cli::watch::PreviewFile;
 use crate::error::Error;
 use crate::measure::compared_layers;
 use crate::output::origin::file_difference;
-use crate::output::{FileSettings, ImageWriter, open, settings_of};
+use crate::output::{FileSettings, ImageWriter, open, settings_of, stores_layers};
 use crate::program::Layer;
 use crate::render::Window;
 use crate::scene::Scene;
@@ -119,10 +119,10 @@ impl Arguments {
         advised.then(|| "help: --preview FILE.png shows the image while it is rendered".to_owned())
     }
 
-    /// Returns the layers in the order of [`Layer::ALL`], each once; none without an EXR. The number of samples per pixel is a layer of
+    /// Returns the layers in the order of [`Layer::ALL`], each once; none without a file that stores them. The number of samples per pixel is a layer of
     /// adaptive images, unless --layers selects others.
     pub(super) fn layers(&self, scene: &Scene, before: Option<&EarlierImage>) -> Vec<Layer> {
-        if !self.output.iter().chain(&self.preview).any(|path| is_exr(path)) {
+        if !self.output.iter().chain(&self.preview).any(|path| stores_layers(path)) {
             return Vec::new();
         }
         let usual = |layer: Layer| match layer {
@@ -160,7 +160,7 @@ fn file_settings(
         tonemap: scene.output.tonemap,
         bits: scene.output.bits,
         alpha: scene.is_transparent(),
-        layers: if is_exr(path) { layers.to_vec() } else { Vec::new() },
+        layers: if stores_layers(path) { layers.to_vec() } else { Vec::new() },
         metadata: metadata.to_vec(),
     }
 }

@@ -1,0 +1,75 @@
+//! Tests `.npz`, `.npy` and `.fits`, the files of arrays: they are written once, merged, and read by other programs.
+
+use std::path::Path;
+use std::process::Command;
+
+use super::{BALL, Folder};
+
+/// The Python of `make test`, with the packages that `arrays.py` imports.
+const PYTHON: &str = "target/python/bin/python";
+
+const FILM: &str = "[animation]\nframes = 2\n[[animation.tracks]]\nkey = \"sky.color\"\n\
+                    values = [[0, 0, 0], [1, 1, 1]]\n";
+
+#[test]
+fn merged_arrays_have_the_bytes_of_one_render() {
+    let folder = Folder::with(BALL);
+    folder.run("render scene.toml -o one.npz -o one.fits -o one.npy").succeeds();
+    for part in ["1/2", "2/2"] {
+        folder.run(&format!("render scene.toml -o a.npz --part {part}")).succeeds();
+    }
+    folder.run("merge a.part-1-of-2.exr a.part-2-of-2.exr -o a.npz -o a.fits -o a.npy").succeeds();
+    for format in ["npz", "fits", "npy"] {
+        assert!(folder.read(&format!("a.{format}")) == folder.read(&format!("one.{format}")), "{format}");
+    }
+    // The method is in the file.
+    for name in ["one.npz", "one.fits"] {
+        folder.run(&format!("render scene.toml -o b.png --method-from {name}")).succeeds();
+    }
+}
+
+#[test]
+fn finished_frames_of_arrays_are_kept() {
+    let folder = Folder::with(&format!("{BALL}{FILM}"));
+    let film = "render scene.toml -o {frame}.npz -o {frame}.fits --frames 0..1";
+    folder.run(film).succeeds();
+    let before = ["0.npz", "1.fits"].map(|name| folder.read(name));
+    let again = folder.run(film).succeeds();
+    assert!(!again.err.contains("rendered again"), "{}", again.err);
+    assert!(["0.npz", "1.fits"].map(|name| folder.read(name)) == before);
+    folder
+        .run(&format!("{film} --layers depth"))
+        .succeeds()
+        .says(&["0.npz is rendered again: its `layers` is `depth,segments,position,"]);
+    folder.write("0.fits", b"SIMPLE  =");
+    folder.run(&format!("{film} --layers depth")).succeeds().says(&["0.fits is rendered again: it is not an image"]);
+}
+
+#[test]
+fn an_npy_stores_color_alone() {
+    let folder = Folder::with(BALL);
+    folder
+        .run("render scene.toml -o a.npy --layers depth")
+        .fails(1, &["--layers requires an output that stores layers"]);
+    let transparent = "render scene.toml -o a.npy --set sky=\"transparent\"";
+    folder.run(transparent).fails(1, &["a.npy: an .npy stores one array, the color; write an .npz for alpha"]);
+    assert_eq!(folder.names(), ["scene.toml"]);
+}
+
+#[test]
+#[ignore = "needs NumPy and astropy"]
+fn arrays_have_the_bits_of_the_exr_with_numpy() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    for scene in [
+        "-o a.npy --size 17x9",
+        "--size 17x9 --set sky=\"transparent\"",
+        "-o a.npy --size 40x33 --samples 64 --set image.adaptive=0.05",
+        "-o a.npy --size 8x5 --samples 2 --set rays.lighting=path-tracing",
+    ] {
+        let folder = Folder::with(BALL);
+        folder.run(&format!("render scene.toml -o a.exr -o a.npz -o a.fits {scene}")).succeeds();
+        let mut python = Command::new(root.join(PYTHON));
+        let ran = python.arg(root.join("tests/cli/arrays.py")).current_dir(folder.path(".")).output().unwrap();
+        assert!(ran.status.success(), "{scene}: {}", String::from_utf8_lossy(&ran.stderr));
+    }
+}
