@@ -4,19 +4,42 @@ use std::path::{Path, PathBuf};
 
 use super::{MethodCurve, Point, SceneChart};
 use crate::output::OutputError;
-use crate::output::csv::{Row, Table};
 use crate::output::plot::{PrecisionPlot, Series, plot_precision};
 use crate::output::report::{ReportTable, Section};
+use crate::output::table::{Field, Row, Table};
 
 /// A point as a line of the CSV.
 struct Line<'a>(&'static str, &'a Point);
 
 impl Row for Line<'_> {
-    const HEADER: &'static str = "method,setting,ns_per_ray,spread,evaluations,steps,rejected,compared,unresolved,wrong,\
-                                  flagged,seen_p95,seen_p99,angle_median,angle_p95,angle_p99,angle_max,position_median,\
-                                  position_p95,position_p99,position_max,tau_p95,drift_p95,image_rms";
+    const COLUMNS: &'static [&'static str] = &[
+        "method",
+        "setting",
+        "ns_per_ray",
+        "spread",
+        "evaluations",
+        "steps",
+        "rejected",
+        "compared",
+        "unresolved",
+        "wrong",
+        "flagged",
+        "seen_p95",
+        "seen_p99",
+        "angle_median",
+        "angle_p95",
+        "angle_p99",
+        "angle_max",
+        "position_median",
+        "position_p95",
+        "position_p99",
+        "position_max",
+        "tau_p95",
+        "drift_p95",
+        "image_rms",
+    ];
 
-    fn line(&self) -> String {
+    fn fields(&self) -> Vec<Field> {
         let Self(name, point) = self;
         let found = &point.found;
         let numbers = [
@@ -44,8 +67,7 @@ impl Row for Line<'_> {
             point.drifts.iter().map(|(_, drift)| *drift).reduce(f64::max).unwrap_or(f64::NAN),
             point.image,
         ];
-        let numbers: Vec<String> = numbers.iter().map(|number| format!("{number:.6e}")).collect();
-        format!("\"{name}\",{}", numbers.join(","))
+        [Field::Word(name)].into_iter().chain(numbers.map(Field::Measured)).collect()
     }
 }
 

@@ -13,7 +13,8 @@ use super::options::{DeviceFlags, SceneOptions};
 use super::paths;
 use super::render::warn;
 use crate::error::Error;
-use crate::output::csv::{LightRow, Table, read_places};
+use crate::output::csv::read_places;
+use crate::output::table::{LightRow, Table};
 use crate::render::{LightPath, StartUp, light_grids, light_paths};
 use crate::scene::{LightSource, Scene, Shadows};
 
@@ -25,7 +26,7 @@ pub(super) struct Arguments {
     /// A CSV file of the points, with the header x,y,z; `-` is standard input
     #[arg(long, value_name = "FILE")]
     at: PathBuf,
-    /// Output CSV with one line per path; one line if there is no path, and one per point of a photon grid; `-` is standard output
+    /// Output table, .csv or .npz, with one row per path; one row if there is no path, and one per point of a photon grid; `-` is standard output
     #[arg(short, long, value_name = "FILE")]
     output: PathBuf,
     #[command(flatten)]

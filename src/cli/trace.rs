@@ -20,8 +20,9 @@ use super::render::warn;
 use crate::error::Error;
 use crate::gpu::Gpu;
 use crate::measure::{Curve, drift};
-use crate::output::csv::{Table, read_rays};
+use crate::output::csv::read_rays;
 use crate::output::plot::check_plot;
+use crate::output::table::Table;
 use crate::render::{PathPoint, RenderSettings, StartUp, Traced, pixel_starts, trace, trace_paths};
 use crate::scene::{CutPlane, Scene};
 
@@ -45,7 +46,7 @@ pub(super) struct Arguments {
     /// The camera ray through the center of pixel X,Y, counted from the top left (repeatable)
     #[arg(long, value_name = "X,Y", value_parser = parse_pixel)]
     pixel: Vec<[u32; 2]>,
-    /// Output file for the results, as CSV; `-` is standard output
+    /// Output file for the results: CSV, or arrays for Python if it ends in .npz; `-` is standard output
     #[arg(short, long, value_name = "FILE")]
     output: Option<PathBuf>,
     /// Write the end of every segment instead of the end of the path

@@ -4,7 +4,7 @@
 //! unwritable path is reported first. Image writers ([`open`], [`ImageWriter`]) receive bands of full-width rows from the top, also on
 //! another thread ([`BackgroundWriter`]). They store one band and a compressed tail, so that memory grows with the band and not with the
 //! image. A PNG stores display colors ([`png`]); an EXR stores every plane exactly ([`exr`]), also of a part of an image, and [`merge()`]
-//! merges parts. The same planes are written as arrays for `NumPy` ([`npy`]) and for astronomy ([`fits`]). Rays and results are CSV ([`csv`]), plots are SVG or PNG ([`plot`]), and a page of HTML shows them next to their tables
+//! merges parts. The same planes are written as arrays for `NumPy` ([`npy`]) and for astronomy ([`fits`]). Rays are CSV ([`csv`]), results are CSV or arrays ([`table`]), plots are SVG or PNG ([`plot`]), and a page of HTML shows them next to their tables
 //! ([`report`]). Identical input gives identical bytes.
 
 pub mod atomic;
@@ -24,6 +24,7 @@ pub mod plot;
 pub mod png;
 pub mod report;
 mod said;
+pub mod table;
 #[cfg(test)]
 mod tests;
 mod video;

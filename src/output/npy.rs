@@ -1,4 +1,4 @@
-//! Files of `NumPy`: `.npz` with every plane as an array, and `.npy` with the color alone.
+//! Files of `NumPy`: `.npz` with every plane of an image, or every column of a table, as an array; `.npy` with the color alone.
 //!
 //! An `.npz` is a ZIP archive of `.npy` files, here uncompressed, so that `numpy.load` reads them at the speed of the disk. The arrays have
 //! the names of the layers, the shape (height, width) or (height, width, components), and 32 bits per value; their first row is the top of
@@ -110,8 +110,12 @@ fn write_array(
     file: &mut impl Write,
     failed: impl Fn(std::io::Error) -> OutputError,
 ) -> Result<(), OutputError> {
-    file.write_all(&head(array)).map_err(&failed)?;
+    let kind = if array.is_whole { "<u4" } else { "<f4" };
+    let [width, height] = array.size.map(u64::from);
     let count = array.count();
+    let shape = [height, width, count as u64];
+    let shape = if count > 1 { &shape[..] } else { &shape[..2] };
+    file.write_all(&head(kind, shape)).map_err(&failed)?;
     for y in 0..array.size[1] {
         let rows = (0..count).map(|component| array.row(component, y)).collect::<Result<Vec<_>, _>>()?;
         let pixels = (0..array.size[0] as usize).flat_map(|x| rows.iter().map(move |row| row[x].to_le_bytes()));
@@ -121,18 +125,35 @@ fn write_array(
 }
 
 /// Returns the bytes before the values: the type and shape as a Python dictionary, padded with spaces.
-fn head(array: &Array) -> Vec<u8> {
-    let kind = if array.is_whole { "<u4" } else { "<f4" };
-    let [width, height] = array.size;
-    let components = if array.count() > 1 { format!(", {}", array.count()) } else { String::new() };
-    let mut words =
-        format!("{{'descr': '{kind}', 'fortran_order': False, 'shape': ({height}, {width}{components}), }}");
+fn head(kind: &str, shape: &[u64]) -> Vec<u8> {
+    let sides: Vec<String> = shape.iter().map(u64::to_string).collect();
+    let mut words = format!("{{'descr': '{kind}', 'fortran_order': False, 'shape': ({},), }}", sides.join(", "));
     let magic = b"\x93NUMPY\x01\x00";
     let before = magic.len() + size_of::<u16>();
     let whole = (before + words.len() + 1).next_multiple_of(ALIGNMENT);
     words.push_str(&" ".repeat(whole - before - words.len() - 1));
     words.push('\n');
     [&magic[..], &(words.len() as u16).to_le_bytes(), words.as_bytes()].concat()
+}
+
+/// Returns the file of an array of one dimension, from the bytes of its values.
+pub(super) fn array_file(kind: &str, count: usize, values: &[u8]) -> Vec<u8> {
+    [&head(kind, &[count as u64]), values].concat()
+}
+
+/// Writes the files of arrays as an archive to `file`.
+pub(super) fn write_archive(
+    file: AtomicFile,
+    arrays: impl Iterator<Item = (&'static str, Vec<u8>)>,
+) -> Result<AtomicFile, OutputError> {
+    let path = file.path().to_owned();
+    let failed = |cause: std::io::Error| OutputError::Write { path: path.clone(), cause };
+    let mut archive = ZipWriter::new(file);
+    for (name, bytes) in arrays {
+        archive.start_file(format!("{name}.npy"), stored(bytes.len() as u64)).map_err(|e| failed(e.into()))?;
+        archive.write_all(&bytes).map_err(failed)?;
+    }
+    archive.finish().map_err(|e| failed(e.into()))
 }
 
 /// Returns the settings of the `.npz` at `path`; `None` if it was not written by this program.

@@ -56,10 +56,17 @@ fn an_npy_stores_color_alone() {
     assert_eq!(folder.names(), ["scene.toml"]);
 }
 
+/// Runs a script of this folder on the files in `folder`.
+fn python(folder: &Folder, script: &str) {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let mut python = Command::new(root.join(PYTHON));
+    let ran = python.arg(root.join("tests/cli").join(script)).current_dir(folder.path(".")).output().unwrap();
+    assert!(ran.status.success(), "{script}: {}", String::from_utf8_lossy(&ran.stderr));
+}
+
 #[test]
 #[ignore = "needs NumPy and astropy"]
 fn arrays_have_the_bits_of_the_exr_with_numpy() {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
     for scene in [
         "-o a.npy --size 17x9",
         "--size 17x9 --set sky=\"transparent\"",
@@ -68,8 +75,21 @@ fn arrays_have_the_bits_of_the_exr_with_numpy() {
     ] {
         let folder = Folder::with(BALL);
         folder.run(&format!("render scene.toml -o a.exr -o a.npz -o a.fits {scene}")).succeeds();
-        let mut python = Command::new(root.join(PYTHON));
-        let ran = python.arg(root.join("tests/cli/arrays.py")).current_dir(folder.path(".")).output().unwrap();
-        assert!(ran.status.success(), "{scene}: {}", String::from_utf8_lossy(&ran.stderr));
+        python(&folder, "arrays.py");
+    }
+}
+
+#[test]
+#[ignore = "needs NumPy and astropy"]
+fn tables_have_the_columns_of_the_csv_with_numpy() {
+    let folder = Folder::with(BALL);
+    for options in ["", "--path"] {
+        for format in ["csv", "npz"] {
+            let mut command = folder.command(&format!("trace scene.toml {options} -o a.{format}"));
+            assert!(
+                command.args(["--fan", "from=[0,0,5] toward=[0,0,0] spread=30 count=9"]).status().unwrap().success()
+            );
+        }
+        python(&folder, "columns.py");
     }
 }

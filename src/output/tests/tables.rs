@@ -1,9 +1,11 @@
 //! Tests of input and output tables.
 
 use std::fs;
+use std::io::Read;
 
 use super::folder;
-use crate::output::csv::{Table, read_rays};
+use crate::output::csv::read_rays;
+use crate::output::table::{LightRow, Table};
 use crate::render::{PathPoint, Status, Traced};
 
 /// Reads a file of rays with this text, and returns an error as its message without the path.
@@ -82,4 +84,29 @@ fn rows_are_written_to_the_last_bit() {
     table.write(&(0, 3, &PathPoint { x: [1.0, 2.0, 3.0], v: [4.0, 5.0, 6.0], tau: 0.5 })).unwrap();
     table.finish().unwrap();
     assert_eq!(fs::read_to_string(&path).unwrap(), "ray,index,x,y,z,vx,vy,vz,tau\n0,3,1.0,2.0,3.0,4.0,5.0,6.0,0.5\n");
+}
+
+#[test]
+fn columns_are_arrays_of_their_kind() {
+    let folder = folder();
+    let path = folder.path().join("a.npz");
+    let mut table = Table::create::<LightRow>(&path).unwrap();
+    let none = LightRow { place: 3, light: 0, status: "none", leaves: None, arrives: None, spread: None };
+    table.write(&none).unwrap();
+    table.write(&LightRow { status: "shadow", spread: Some(0.1), ..none }).unwrap();
+    table.finish().unwrap();
+    let mut archive = zip::ZipArchive::new(fs::File::open(path).unwrap()).unwrap();
+    for (name, kind, values) in [
+        ("place", "<i8", [3_i64.to_le_bytes(), 3_i64.to_le_bytes()].concat()),
+        ("spread", "<f8", [f64::NAN.to_le_bytes(), 0.1_f64.to_le_bytes()].concat()),
+        ("status", "<U6", "none\0\0shadow".chars().flat_map(|c| u32::from(c).to_le_bytes()).collect()),
+    ] {
+        let mut bytes = Vec::new();
+        archive.by_name(&format!("{name}.npy")).unwrap().read_to_end(&mut bytes).unwrap();
+        let (head, own) = bytes.split_at(bytes.len() - values.len());
+        assert_eq!(own, values, "{name}");
+        assert_eq!(head.len() % 64, 0);
+        let words = format!("{{'descr': '{kind}', 'fortran_order': False, 'shape': (2,), }}");
+        assert_eq!(String::from_utf8_lossy(&head[10..]).trim_end(), words);
+    }
 }
