@@ -134,10 +134,10 @@ device:
 
 # Programs that some tests need. They are installed only where that needs no password; `make test` skips tests whose program is missing.
 tools:
-	@if { command -v slurmctld && command -v parallel && command -v ffmpeg; } >/dev/null || ! command -v apt-get >/dev/null || [ "$$(id -u)" -ne 0 ]; then exit 0; fi; \
-	echo "installing Slurm, GNU parallel and ffmpeg, for the tests"; \
+	@if { command -v slurmctld && command -v parallel && command -v ffmpeg && python3 -c 'import ensurepip'; } >/dev/null 2>&1 || ! command -v apt-get >/dev/null || [ "$$(id -u)" -ne 0 ]; then exit 0; fi; \
+	echo "installing Slurm, GNU parallel, ffmpeg and Python, for the tests"; \
 	apt-get update -q >/dev/null 2>&1 || true; \
-	DEBIAN_FRONTEND=noninteractive apt-get install -q -y --no-install-recommends slurmctld slurmd slurm-client munge parallel ffmpeg \
+	DEBIAN_FRONTEND=noninteractive apt-get install -q -y --no-install-recommends slurmctld slurmd slurm-client munge parallel ffmpeg python3-venv \
 	    >/dev/null 2>&1 || true
 
 clean:
