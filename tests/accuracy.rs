@@ -143,7 +143,7 @@ fn a_small_picture_is_as_accurate_as_was_asked() {
             calibrate_for(&gpu, &asked, &RenderSettings::default(), 5000).unwrap().expect("the scene names no method");
         println!("{found}");
         assert!(!found.compared && found.reached(), "{text}");
-        assert!(found.to_string().contains("other methods were not tried"));
+        assert!(found.to_string().contains("not all methods were tried"));
         let verified = verify(&gpu, &found.applied(&asked), &RenderSettings::default(), 2000).unwrap().found;
         let accuracy = asked.accuracy().unwrap();
         assert!(verified.seen.p99 <= accuracy, "{text}: {:e} where {accuracy:e} was requested", verified.seen.p99);

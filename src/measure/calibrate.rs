@@ -79,7 +79,7 @@ impl Calibration {
         let more = match self.in_double {
             Some(trial) if trial.error <= asked => "; --precision f64 is accurate enough".to_owned(),
             Some(trial) => format!("; --precision f64 reaches {:.1e} rad", trial.error),
-            None if !self.compared => "; other methods and --precision f64 were not tried".to_owned(),
+            None if !self.compared => "; not all methods were tried, nor --precision f64".to_owned(),
             None => String::new(),
         };
         let subject = if self.compared {
@@ -294,7 +294,7 @@ impl fmt::Display for Calibration {
             write!(f, ", precision {}", self.precision.name())?;
         }
         if !self.compared && self.chosen.error.is_finite() {
-            write!(f, "; other methods were not tried")?;
+            write!(f, "; not all methods were tried")?;
         }
         if !self.reached() && self.chosen.error.is_finite() {
             let subject = if self.compared { "no method reaches" } else { "it does not reach" };
