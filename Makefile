@@ -38,7 +38,7 @@ test: device tools
 	    command -v "$$program" >/dev/null || { echo "$$program is not installed: skipping tests $$1"; skip+=" --skip $$1"; return 0; }; \
 	done; }; \
 	[ -x target/python/bin/python ] || \
-	    { python3 -m venv target/python && target/python/bin/pip install -q numpy astropy OpenEXR; } || rm -rf target/python; \
+	    { python3 -m venv target/python && target/python/bin/pip install -q numpy astropy h5py OpenEXR; } || rm -rf target/python; \
 	needs with_numpy target/python/bin/python; \
 	needs with_ffmpeg ffmpeg; \
 	needs with_parallel parallel; \

@@ -14,7 +14,7 @@ pub(super) struct Arguments {
     /// The parts; overlapping parts must agree
     #[arg(required = true, value_name = "PART", value_parser = paths::file())]
     parts: Vec<PathBuf>,
-    /// Output file: .exr, .npz, .npy, .fits or .png (repeatable)
+    /// Output file: .exr, .npz, .npy, .fits, .h5 or .png (repeatable)
     #[arg(short, long, required = true, value_name = "FILE", value_parser = paths::file())]
     output: Vec<PathBuf>,
 }

@@ -43,10 +43,10 @@ use work::Work;
 pub(super) struct Arguments {
     /// The scene file, or - for standard input; the files that it names are then relative to the working directory
     pub(super) scene: PathBuf,
-    /// Output file: .png, .exr, .npz, .npy or .fits; with --frames also a video: .mp4, .webm, .gif or .png (repeatable)
+    /// Output file: .png, .exr, .npz, .npy, .fits or .h5; with --frames also a video: .mp4, .webm, .gif or .png (repeatable)
     #[arg(short, long, required = true, value_name = "FILE", value_parser = paths::file())]
     output: Vec<PathBuf>,
-    /// Layers of an .exr, .npz or .fits; by default all, with `samples` only if sampling is adaptive
+    /// Layers of an .exr, .npz, .fits or .h5; by default all, with `samples` only if sampling is adaptive
     #[arg(long, value_parser = layers(), value_delimiter = ',', value_name = "LAYER")]
     layers: Option<Vec<Option<Layer>>>,
     #[command(flatten)]
@@ -109,7 +109,9 @@ impl Arguments {
     fn check(&self) -> Result<(), Error> {
         self.device.check()?;
         if self.layers.is_some() && !self.output.iter().chain(&self.preview).any(|path| stores_layers(path)) {
-            return Err(usage!("--layers requires an output that stores layers: add an .exr, .npz or .fits with -o"));
+            return Err(usage!(
+                "--layers requires an output that stores layers: add an .exr, .npz, .fits or .h5 with -o"
+            ));
         }
         if self.layers.as_ref().is_some_and(|layers| layers.len() > 1 && layers.contains(&None)) {
             return Err(usage!("--layers: `none` cannot be combined with other layers"));

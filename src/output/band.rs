@@ -35,6 +35,29 @@ pub(super) fn channel_names(settings: &FileSettings) -> Vec<&'static str> {
     names
 }
 
+/// An array of an image file, with the shape of the image.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct ArrayKind {
+    /// `color`, `alpha` or the name of the layer.
+    pub name: &'static str,
+    /// The number of components.
+    pub count: usize,
+    /// Is `true` if the values are unsigned whole numbers, not floats; both have 32 bits.
+    pub is_whole: bool,
+}
+
+/// Returns the arrays of a file: color, alpha if it has any, and its layers.
+pub(super) fn arrays(settings: &FileSettings) -> Vec<ArrayKind> {
+    let float = |name, count| ArrayKind { name, count, is_whole: false };
+    let alpha = settings.alpha.then_some(float("alpha", 1));
+    let layers = settings.layers.iter().map(|layer| ArrayKind {
+        name: layer.name(),
+        count: channels(*layer).len(),
+        is_whole: layer.kind() == LayerKind::Id,
+    });
+    std::iter::once(float("color", 3)).chain(alpha).chain(layers).collect()
+}
+
 /// Returns the bytes of each component, in native byte order.
 pub(super) fn components(plane: &Plane) -> Vec<&[u8]> {
     match plane {
@@ -104,6 +127,15 @@ impl Rows {
         }
         self.count(band.rows);
         Ok(())
+    }
+
+    /// Returns the bits of a band, for each component of each of the [`arrays`].
+    pub fn bits<'a>(&self, band: &'a Band) -> Vec<Vec<&'a [u32]>> {
+        let color = band.color.iter().map(|plane| bytemuck::cast_slice(plane)).collect();
+        let alpha = band.alpha.iter().filter(|_| self.alpha).map(|plane| vec![bytemuck::cast_slice(plane)]);
+        let layers = self.layers.iter().filter_map(|layer| band.layer(*layer).map(components));
+        let layers = layers.map(|planes| planes.into_iter().map(bytemuck::cast_slice).collect());
+        std::iter::once(color).chain(alpha).chain(layers).collect()
     }
 
     /// Counts rows that are certainly the next ones.

@@ -61,7 +61,7 @@ pub enum OutputError {
     Stdout(io::Error),
     /// The extension is not that of a supported image format.
     #[error(
-        "{path}: the name must end in .png (color, for viewing), in .exr, .npz or .fits (all layers, exact), or in .npy (color)"
+        "{path}: the name must end in .png (color, for viewing), in .exr, .npz, .fits or .h5 (all layers, exact), or in .npy (color)"
     )]
     Format {
         /// The requested file.

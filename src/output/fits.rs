@@ -54,7 +54,7 @@ impl ImageWriter for FitsWriter {
         let failed = |error| encode_error(&path, error);
         let mut file = file;
         for (i, mut array) in planes.complete()?.into_iter().enumerate() {
-            let mut cards = vec![text("EXTNAME", &array.name.to_ascii_uppercase()).map_err(failed)?];
+            let mut cards = vec![text("EXTNAME", &array.kind.name.to_ascii_uppercase()).map_err(failed)?];
             if i == 0 {
                 cards.push(text("CREATOR", concat!("bentray ", env!("CARGO_PKG_VERSION"))).map_err(failed)?);
                 cards.push(text(SETTINGS, &metadata).map_err(failed)?);
@@ -75,16 +75,16 @@ fn write_image(
 ) -> Result<AtomicFile, OutputError> {
     let [width, height] = array.size;
     let mut axes = vec![width as usize, height as usize];
-    if array.count() > 1 {
-        axes.push(array.count());
+    if array.kind.count > 1 {
+        axes.push(array.kind.count);
     }
-    let bits = if array.is_whole { 32 } else { -32 };
+    let bits = if array.kind.is_whole { 32 } else { -32 };
     let start = if is_primary { HduWriter::primary } else { HduWriter::image_extension };
     let mut image = start(file, bits, &axes, cards).map_err(&failed)?;
-    for component in 0..array.count() {
+    for component in 0..array.kind.count {
         for y in (0..height).rev() {
             let row = array.row(component, y)?;
-            let written = if array.is_whole {
+            let written = if array.kind.is_whole {
                 image.write_iter(row.iter().map(|bits| bits.cast_signed()))
             } else {
                 image.write_iter(row.iter().map(|bits| f32::from_bits(*bits)))

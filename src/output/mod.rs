@@ -4,7 +4,8 @@
 //! unwritable path is reported first. Image writers ([`open`], [`ImageWriter`]) receive bands of full-width rows from the top, also on
 //! another thread ([`BackgroundWriter`]). They store one band and a compressed tail, so that memory grows with the band and not with the
 //! image. A PNG stores display colors ([`png`]); an EXR stores every plane exactly ([`exr`]), also of a part of an image, and [`merge()`]
-//! merges parts. The same planes are written as arrays for `NumPy` ([`npy`]) and for astronomy ([`fits`]). Rays are CSV ([`csv`]), results are CSV or arrays ([`table`]), plots are SVG or PNG ([`plot`]), and a page of HTML shows them next to their tables
+//! merges parts. The same planes are written as arrays for `NumPy` ([`npy`]), for
+//! astronomy ([`fits`]) and for archives ([`hdf5`]). Rays are CSV ([`csv`]), results are CSV or arrays ([`table`]), plots are SVG or PNG ([`plot`]), and a page of HTML shows them next to their tables
 //! ([`report`]). Identical input gives identical bytes.
 
 pub mod atomic;
@@ -15,6 +16,7 @@ pub mod csv;
 pub mod error;
 pub mod exr;
 pub mod fits;
+pub mod hdf5;
 pub mod merge;
 pub mod npy;
 pub mod origin;
@@ -179,7 +181,7 @@ pub(crate) fn has_extension(path: &Path, name: &str) -> bool {
 }
 
 /// The extensions of the formats that store layers.
-const WITH_LAYERS: [&str; 3] = ["exr", "npz", "fits"];
+const WITH_LAYERS: [&str; 4] = ["exr", "npz", "fits", "h5"];
 
 /// Returns `true` if the format of the image at `path` stores layers.
 #[must_use]
@@ -193,8 +195,8 @@ pub fn is_picture(path: &Path) -> bool {
     stores_layers(path) || ["png", "npy"].iter().any(|extension| has_extension(path, extension))
 }
 
-/// Starts an image at `path` in the format of its extension, and returns its writer: `.png` stores display colors, `.exr`, `.npz` and
-/// `.fits` linear colors and layers, and `.npy` linear colors.
+/// Starts an image at `path` in the format of its extension, and returns its writer: `.png` stores display colors, `.exr`, `.npz`,
+/// `.fits` and `.h5` linear colors and layers, and `.npy` linear colors.
 ///
 /// # Errors
 ///
@@ -231,6 +233,7 @@ pub fn open(path: &Path, settings: &FileSettings) -> Result<Box<dyn ImageWriter>
         Some("npz") => Ok(Box::new(npy::NpzWriter::create(path, settings)?)),
         Some("npy") => Ok(Box::new(npy::NpyWriter::create(path, settings)?)),
         Some("fits") => Ok(Box::new(fits::FitsWriter::create(path, settings)?)),
+        Some("h5") => Ok(Box::new(hdf5::Hdf5Writer::create(path, settings)?)),
         _ => Err(OutputError::Format { path: path.to_owned() }),
     }
 }

@@ -51,8 +51,8 @@ impl ImageWriter for NpzWriter {
         let failed = |cause: std::io::Error| OutputError::Write { path: path.clone(), cause };
         let mut archive = ZipWriter::new(file);
         for mut array in planes.complete()? {
-            let bytes = array.size.iter().fold(4 * array.count() as u64, |bytes, side| bytes * u64::from(*side));
-            archive.start_file(format!("{}.npy", array.name), stored(bytes)).map_err(|e| failed(e.into()))?;
+            let bytes = array.size.iter().fold(4 * array.kind.count as u64, |bytes, side| bytes * u64::from(*side));
+            archive.start_file(format!("{}.npy", array.kind.name), stored(bytes)).map_err(|e| failed(e.into()))?;
             write_array(&mut array, &mut archive, failed)?;
         }
         archive.start_file(METADATA, stored(metadata.len() as u64)).map_err(|e| failed(e.into()))?;
@@ -110,9 +110,9 @@ fn write_array(
     file: &mut impl Write,
     failed: impl Fn(std::io::Error) -> OutputError,
 ) -> Result<(), OutputError> {
-    let kind = if array.is_whole { "<u4" } else { "<f4" };
+    let kind = if array.kind.is_whole { "<u4" } else { "<f4" };
     let [width, height] = array.size.map(u64::from);
-    let count = array.count();
+    let count = array.kind.count;
     let shape = [height, width, count as u64];
     let shape = if count > 1 { &shape[..] } else { &shape[..2] };
     file.write_all(&head(kind, shape)).map_err(&failed)?;

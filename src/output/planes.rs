@@ -7,9 +7,8 @@ use std::fs::File;
 use std::io::{BufWriter, Read, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
 
-use super::band::{Rows, channels, components};
+use super::band::{ArrayKind, Rows, arrays};
 use super::{FileSettings, OutputError, destination};
-use crate::program::{Layer, LayerKind};
 use crate::render::Band;
 
 /// The arrays of an unfinished image.
@@ -18,12 +17,10 @@ pub(super) struct Planes {
     arrays: Vec<Array>,
 }
 
-/// The color, the alpha or a layer of an image: values of 32 bits per pixel, for each component.
+/// The values of an array of an image.
 pub(super) struct Array {
-    /// `color`, `alpha` or the name of the layer.
-    pub name: &'static str,
-    /// Is `true` if the values are unsigned whole numbers, not floats.
-    pub is_whole: bool,
+    /// The name and the type.
+    pub kind: ArrayKind,
     /// The width and height.
     pub size: [u32; 2],
     path: PathBuf,
@@ -35,17 +32,11 @@ impl Planes {
     /// Creates the temporary files of an image at `path`.
     pub fn create(path: &Path, settings: &FileSettings) -> Result<Self, OutputError> {
         let size = settings.window.size;
-        let array = |name, count, is_whole| {
-            let components = (0..count).map(|_| temporary(path)).collect::<Result<_, _>>()?;
-            Ok(Array { name, is_whole, size, path: path.to_owned(), components })
+        let array = |kind: ArrayKind| {
+            let components = (0..kind.count).map(|_| temporary(path)).collect::<Result<_, _>>()?;
+            Ok(Array { kind, size, path: path.to_owned(), components })
         };
-        let mut arrays = vec![array("color", 3, false)?];
-        if settings.alpha {
-            arrays.push(array("alpha", 1, false)?);
-        }
-        for layer in &settings.layers {
-            arrays.push(array(layer.name(), channels(*layer).len(), layer.kind() == LayerKind::Id)?);
-        }
+        let arrays = arrays(settings).into_iter().map(array).collect::<Result<_, _>>()?;
         let rows = Rows::new(path.to_owned(), size, settings.alpha, settings.layers.clone());
         Ok(Self { rows, arrays })
     }
@@ -53,13 +44,10 @@ impl Planes {
     /// Appends a band.
     pub fn write_band(&mut self, band: &Band) -> Result<(), OutputError> {
         self.rows.accept(band)?;
-        let color = band.color.iter().map(|plane| bytemuck::cast_slice(plane)).collect();
-        let alpha = band.alpha.iter().filter(|_| self.rows.alpha).map(|plane| vec![bytemuck::cast_slice(plane)]);
-        let layers = self.rows.layers.iter().filter_map(|layer: &Layer| band.layer(*layer).map(components));
-        let planes: Vec<Vec<&[u8]>> = std::iter::once(color).chain(alpha).chain(layers).collect();
-        for (array, planes) in self.arrays.iter_mut().zip(planes) {
+        for (array, planes) in self.arrays.iter_mut().zip(self.rows.bits(band)) {
             for (file, plane) in array.components.iter_mut().zip(planes) {
-                file.write_all(plane).map_err(|cause| OutputError::Write { path: array.path.clone(), cause })?;
+                file.write_all(bytemuck::cast_slice(plane))
+                    .map_err(|cause| OutputError::Write { path: array.path.clone(), cause })?;
             }
         }
         Ok(())
@@ -73,11 +61,6 @@ impl Planes {
 }
 
 impl Array {
-    /// Returns the number of values per pixel.
-    pub fn count(&self) -> usize {
-        self.components.len()
-    }
-
     /// Returns the bits of a component in a row.
     pub fn row(&mut self, component: usize, y: u32) -> Result<Vec<u32>, OutputError> {
         let mut words = vec![0; self.size[0] as usize];

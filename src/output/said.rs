@@ -6,6 +6,7 @@ use std::io::BufReader;
 use std::path::Path;
 
 use super::fits::settings_of_fits;
+use super::hdf5::settings_of_hdf5;
 use super::npy::settings_of_npz;
 use super::origin::{PART, SHOWN, with_part, with_shown};
 use super::part::{ImagePart, said_by_exr};
@@ -38,8 +39,12 @@ pub fn settings_of(path: &Path) -> Result<FileSettings, OutputError> {
         return Ok(ImagePart::open(path)?.settings);
     }
     if stores_layers(path) {
-        let found = if has_extension(path, "npz") { settings_of_npz(path) } else { settings_of_fits(path) };
-        return found?.ok_or_else(|| unsaid(path, "this image was not written by `render`".to_owned()));
+        let found = match () {
+            () if has_extension(path, "npz") => settings_of_npz(path)?,
+            () if has_extension(path, "fits") => settings_of_fits(path)?,
+            () => settings_of_hdf5(path)?,
+        };
+        return found.ok_or_else(|| unsaid(path, "this image was not written by `render`".to_owned()));
     }
     let reader = png_reader(path)?;
     let info = reader.info();

@@ -1,4 +1,4 @@
-//! Tests `.npz`, `.npy` and `.fits`, the files of arrays: they are written once, merged, and read by other programs.
+//! Tests `.npz`, `.npy`, `.fits` and `.h5`, the files of arrays: they are written once, merged, and read by other programs.
 
 use std::path::Path;
 use std::process::Command;
@@ -14,16 +14,16 @@ const FILM: &str = "[animation]\nframes = 2\n[[animation.tracks]]\nkey = \"sky.c
 #[test]
 fn merged_arrays_have_the_bytes_of_one_render() {
     let folder = Folder::with(BALL);
-    folder.run("render scene.toml -o one.npz -o one.fits -o one.npy").succeeds();
+    folder.run("render scene.toml -o one.npz -o one.fits -o one.h5 -o one.npy").succeeds();
     for part in ["1/2", "2/2"] {
         folder.run(&format!("render scene.toml -o a.npz --part {part}")).succeeds();
     }
-    folder.run("merge a.part-1-of-2.exr a.part-2-of-2.exr -o a.npz -o a.fits -o a.npy").succeeds();
-    for format in ["npz", "fits", "npy"] {
+    folder.run("merge a.part-1-of-2.exr a.part-2-of-2.exr -o a.npz -o a.fits -o a.h5 -o a.npy").succeeds();
+    for format in ["npz", "fits", "h5", "npy"] {
         assert!(folder.read(&format!("a.{format}")) == folder.read(&format!("one.{format}")), "{format}");
     }
     // The method is in the file.
-    for name in ["one.npz", "one.fits"] {
+    for name in ["one.npz", "one.fits", "one.h5"] {
         folder.run(&format!("render scene.toml -o b.png --method-from {name}")).succeeds();
     }
 }
@@ -31,18 +31,20 @@ fn merged_arrays_have_the_bytes_of_one_render() {
 #[test]
 fn finished_frames_of_arrays_are_kept() {
     let folder = Folder::with(&format!("{BALL}{FILM}"));
-    let film = "render scene.toml -o {frame}.npz -o {frame}.fits --frames 0..1";
+    let film = "render scene.toml -o {frame}.npz -o {frame}.fits -o {frame}.h5 --frames 0..1";
     folder.run(film).succeeds();
-    let before = ["0.npz", "1.fits"].map(|name| folder.read(name));
+    let before = ["0.npz", "1.fits", "1.h5"].map(|name| folder.read(name));
     let again = folder.run(film).succeeds();
     assert!(!again.err.contains("rendered again"), "{}", again.err);
-    assert!(["0.npz", "1.fits"].map(|name| folder.read(name)) == before);
+    assert!(["0.npz", "1.fits", "1.h5"].map(|name| folder.read(name)) == before);
     folder
         .run(&format!("{film} --layers depth"))
         .succeeds()
         .says(&["0.npz is rendered again: its `layers` is `depth,segments,position,"]);
     folder.write("0.fits", b"SIMPLE  =");
-    folder.run(&format!("{film} --layers depth")).succeeds().says(&["0.fits is rendered again: it is not an image"]);
+    folder.write("1.h5", b"\x89HDF");
+    let again = folder.run(&format!("{film} --layers depth")).succeeds();
+    again.says(&["0.fits is rendered again: it is not an image", "1.h5 is rendered again: it is not an image"]);
 }
 
 #[test]
@@ -65,7 +67,7 @@ fn python(folder: &Folder, script: &str) {
 }
 
 #[test]
-#[ignore = "needs NumPy and astropy"]
+#[ignore = "needs NumPy, astropy and h5py"]
 fn arrays_have_the_bits_of_the_exr_with_numpy() {
     for scene in [
         "-o a.npy --size 17x9",
@@ -74,13 +76,13 @@ fn arrays_have_the_bits_of_the_exr_with_numpy() {
         "-o a.npy --size 8x5 --samples 2 --set rays.lighting=path-tracing",
     ] {
         let folder = Folder::with(BALL);
-        folder.run(&format!("render scene.toml -o a.exr -o a.npz -o a.fits {scene}")).succeeds();
+        folder.run(&format!("render scene.toml -o a.exr -o a.npz -o a.fits -o a.h5 {scene}")).succeeds();
         python(&folder, "arrays.py");
     }
 }
 
 #[test]
-#[ignore = "needs NumPy and astropy"]
+#[ignore = "needs NumPy, astropy and h5py"]
 fn tables_have_the_columns_of_the_csv_with_numpy() {
     let folder = Folder::with(BALL);
     for options in ["", "--path"] {
