@@ -11,7 +11,7 @@ use super::screen;
 use crate::error::Error;
 use crate::gpu::Gpu;
 use crate::measure::method_words;
-use crate::output::origin::{DEVICE, FOLLOWED, LINES, LISTED, SAMPLES, SCENE};
+use crate::output::origin::{DEVICE, FOLLOWED, LINES, LISTED, SAMPLES, SCENE, scale};
 use crate::scene::{Scene, SceneError, followed_keys};
 
 /// Returns the metadata for a scene, or for a frame of its animation, whose method is chosen.
@@ -33,7 +33,8 @@ pub(super) fn origin(
     let lines = lines(film, frame)?;
     let hash = (SCENE, hash(lines.as_bytes()));
     let lines = (lines.len() <= LISTED).then_some((LINES, lines));
-    Ok(said.into_iter().chain([hash]).chain(lines).map(|(key, text)| (key.to_owned(), text)).collect())
+    let said = said.into_iter().chain([hash]).chain(lines).map(|(key, text)| (key.to_owned(), text));
+    Ok(said.chain(scale(scene)).collect())
 }
 
 /// Returns the part of [`origin`] that needs no device: the scene of the image, and its number of samples.

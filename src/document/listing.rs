@@ -5,7 +5,7 @@
 
 use std::collections::BTreeMap;
 
-use super::{Document, Node, Table, Value};
+use super::{Document, Node, Quantity, Table, Value};
 
 impl Document {
     /// Returns every value under its key, sorted; tables and arrays of tables are split into their entries.
@@ -45,7 +45,7 @@ fn below(above: &str, name: &str) -> String {
 fn written(value: &Value) -> String {
     let joined = |items: Vec<String>| items.join(", ");
     match value {
-        Value::Text(text) => format!("{text:?}"),
+        Value::Text(text) | Value::Quantity(Quantity { text, .. }) => format!("{text:?}"),
         Value::Integer(number) => (*number as f64).to_string(),
         Value::Float(number) => number.to_string(),
         Value::Boolean(is) => is.to_string(),

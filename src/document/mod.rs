@@ -15,6 +15,7 @@ mod overrides;
 pub mod reader;
 pub(crate) mod synonyms;
 mod text;
+mod units;
 pub(crate) mod values;
 
 pub(crate) use error::brief;
@@ -26,6 +27,7 @@ pub use overrides::{Override, names};
 pub(crate) use text::{
     given_name, lenient_text, read_bytes, read_given, read_given_text, read_text, strict_text, unmarked,
 };
+pub use units::{ARCSECOND, C, Dimension, Quantity, Units};
 
 use std::borrow::Cow;
 use std::ops::Range;
@@ -81,6 +83,8 @@ pub struct Node {
 pub enum Value {
     /// A string.
     Text(String),
+    /// A string that is a number with a unit, if the document has a table `[units]`.
+    Quantity(Quantity),
     /// A whole number.
     Integer(i64),
     /// Any other number, or a whole one too large for 64 bits.
@@ -160,7 +164,9 @@ impl Document {
         let Span { source, start, end } = node.place;
         let written = self.sources[source].text.get(start..end);
         let offset = match &node.value {
-            Value::Text(text) => written.and_then(|written| written.find(text.as_str())),
+            Value::Text(text) | Value::Quantity(Quantity { text, .. }) => {
+                written.and_then(|written| written.find(text.as_str()))
+            }
             _ => None,
         };
         match offset {

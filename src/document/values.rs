@@ -3,7 +3,7 @@
 //! Every number becomes a 32-bit float later, so all numbers must be finite, and 0 or between 10⁻³⁰ and 10³⁰ in magnitude.
 
 use super::synonyms::synonym;
-use super::{Node, SpannedError, Value};
+use super::{C, Dimension, Node, Quantity, SpannedError, Value};
 use glam::{DVec2, DVec3};
 use std::ops::RangeInclusive;
 use strsim::levenshtein;
@@ -27,6 +27,7 @@ impl Node {
     pub fn expected(&self, what: &str) -> SpannedError {
         let found = match &self.value {
             Value::Text(text) => &format!("the string {text:?}"),
+            Value::Quantity(read) => &format!("{} ({})", read.dimension.name(), read.text),
             Value::Integer(_) => "a whole number",
             Value::Float(_) => "a number",
             Value::Boolean(_) => "true or false",
@@ -43,8 +44,18 @@ pub fn number(node: &Node) -> Parsed<f64> {
     let value = match node.value {
         Value::Integer(value) => value as f64,
         Value::Float(value) => value,
+        Value::Text(ref text) if Quantity::parse(text).is_some() => {
+            let mut fault = node.expected("a number");
+            fault.problem.push_str(", and units require the table [units]");
+            return Err(fault);
+        }
         _ => return Err(node.expected("a number")),
     };
+    in_range(node, value)
+}
+
+/// Returns the value, or a fault if no 32-bit float can store it.
+fn in_range(node: &Node, value: f64) -> Parsed<f64> {
     if !value.is_finite() {
         let help = "use a finite number";
         return Err(node.fault("not a finite number", help));
@@ -59,10 +70,97 @@ pub fn number(node: &Node) -> Parsed<f64> {
 
 /// Reads a number that satisfies `fits`; `what` describes the valid numbers.
 pub fn number_where(what: &'static str, fits: fn(f64) -> bool) -> impl Fn(&Node) -> Parsed<f64> {
-    move |node| match number(node)? {
+    fitting(number, what, fits)
+}
+
+/// Reads a value with `read` that satisfies `fits`; `what` describes the valid values.
+pub fn fitting(
+    read: impl Fn(&Node) -> Parsed<f64>,
+    what: &'static str,
+    fits: fn(f64) -> bool,
+) -> impl Fn(&Node) -> Parsed<f64> {
+    move |node| match read(node)? {
         value if fits(value) => Ok(value),
         value => Err(node.fault(format!("expected {what}, found {value}"), "")),
     }
+}
+
+/// Reads a number, or a quantity of one of these dimensions; messages name the first.
+fn measured(node: &Node, dimensions: &[Dimension], of: impl Fn(&Quantity) -> Option<f64>) -> Parsed<f64> {
+    let Value::Quantity(read) = &node.value else { return number(node) };
+    let [expected, ..] = dimensions else { return number(node) };
+    if !dimensions.contains(&read.dimension) {
+        let help = format!("use a number, or a unit of {}: {}", &expected.name()[2..], expected.units());
+        return Err(SpannedError { help, ..node.expected(expected.name()) });
+    }
+    let undefined = || match read.dimension {
+        Dimension::SkyAngle => "add units.distance, and units.mass or units.length",
+        _ => "add units.mass or units.length",
+    };
+    let value = of(read).ok_or_else(|| {
+        node.fault(format!("{} has no value in the units of this scene", read.text.trim()), undefined())
+    })?;
+    in_range(node, value)
+}
+
+/// Reads a length in scene units.
+pub fn length(node: &Node) -> Parsed<f64> {
+    measured(node, &[Dimension::Length, Dimension::SkyAngle], |read| read.value)
+}
+
+/// Reads a length greater than 0.
+pub fn positive_length(node: &Node) -> Parsed<f64> {
+    fitting(length, "a length above 0", |x| x > 0.0)(node)
+}
+
+/// Reads a length that is 0 or greater.
+pub fn not_negative_length(node: &Node) -> Parsed<f64> {
+    fitting(length, "a length of 0 or above", |x| x >= 0.0)(node)
+}
+
+/// Reads a mass greater than 0, as the length GM/c² in scene units.
+pub fn mass(node: &Node) -> Parsed<f64> {
+    let mass = |node: &Node| measured(node, &[Dimension::Mass, Dimension::Length], |read| read.value);
+    fitting(mass, "a mass above 0", |x| x > 0.0)(node)
+}
+
+/// Reads a time in scene units.
+pub fn time(node: &Node) -> Parsed<f64> {
+    measured(node, &[Dimension::Time], |read| read.value)
+}
+
+/// Reads a time of 0 or later, in scene units.
+pub fn not_negative_time(node: &Node) -> Parsed<f64> {
+    fitting(time, "a time of 0 or above", |x| x >= 0.0)(node)
+}
+
+/// Reads an angle in degrees.
+pub fn angle(node: &Node) -> Parsed<f64> {
+    measured(node, &[Dimension::Angle], |read| read.value)
+}
+
+/// Reads an angle above 0, in degrees.
+pub fn positive_angle(node: &Node) -> Parsed<f64> {
+    fitting(angle, "an angle above 0", |x| x > 0.0)(node)
+}
+
+/// Reads a string that is a number with a unit, and returns it in the unit that [`Dimension`] names.
+pub fn quantity(dimension: Dimension) -> impl Fn(&Node) -> Parsed<f64> {
+    move |node| {
+        let read = text(node).ok().and_then(Quantity::parse);
+        read.filter(|read| read.dimension == dimension).map(|read| read.si).ok_or_else(|| {
+            let help = format!("write a string with one of the units {}", dimension.units());
+            SpannedError { help, ..node.expected(&format!("{} with its unit", dimension.name())) }
+        })
+    }
+}
+
+/// Reads the wavelength of light in nanometers.
+pub fn wavelength(node: &Node) -> Parsed<f64> {
+    let nanometers =
+        |read: &Quantity| Some(1e9 * if read.dimension == Dimension::Frequency { C / read.si } else { read.si });
+    let read = |node: &Node| measured(node, &[Dimension::Length, Dimension::Frequency], nanometers);
+    fitting(read, "a wavelength above 0 nm", |x| x > 0.0)(node)
 }
 
 /// Reads a number greater than 0.
@@ -136,6 +234,21 @@ pub fn vector(node: &Node) -> Parsed<DVec3> {
     array("three numbers, [x, y, z]", number)(node).map(DVec3::from_array)
 }
 
+/// Reads a point or a displacement: three lengths.
+pub fn point(node: &Node) -> Parsed<DVec3> {
+    array("three numbers, [x, y, z]", length)(node).map(DVec3::from_array)
+}
+
+/// Reads three angles in degrees.
+pub fn angles(node: &Node) -> Parsed<DVec3> {
+    array("three numbers, [x, y, z]", angle)(node).map(DVec3::from_array)
+}
+
+/// Reads three lengths greater than 0.
+pub fn edges(node: &Node) -> Parsed<DVec3> {
+    array("three numbers above 0, [x, y, z]", positive_length)(node).map(DVec3::from_array)
+}
+
 /// Reads three numbers, not all zero, and normalizes them to a unit vector.
 pub fn direction(node: &Node) -> Parsed<DVec3> {
     let fault = || node.fault("a direction cannot be [0, 0, 0]", "");
@@ -160,7 +273,7 @@ pub fn color(node: &Node) -> Parsed<DVec3> {
 /// Reads a string.
 pub fn text(node: &Node) -> Parsed<&str> {
     match &node.value {
-        Value::Text(text) => Ok(text),
+        Value::Text(text) | Value::Quantity(Quantity { text, .. }) => Ok(text),
         _ => Err(node.expected("a string")),
     }
 }

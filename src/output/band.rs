@@ -44,16 +44,19 @@ pub(super) struct ArrayKind {
     pub count: usize,
     /// Is `true` if the values are unsigned whole numbers, not floats; both have 32 bits.
     pub is_whole: bool,
+    /// Is `true` if the values are lengths.
+    pub is_length: bool,
 }
 
 /// Returns the arrays of a file: color, alpha if it has any, and its layers.
 pub(super) fn arrays(settings: &FileSettings) -> Vec<ArrayKind> {
-    let float = |name, count| ArrayKind { name, count, is_whole: false };
+    let float = |name, count| ArrayKind { name, count, is_whole: false, is_length: false };
     let alpha = settings.alpha.then_some(float("alpha", 1));
     let layers = settings.layers.iter().map(|layer| ArrayKind {
         name: layer.name(),
         count: channels(*layer).len(),
         is_whole: layer.kind() == LayerKind::Id,
+        is_length: matches!(layer, Layer::Depth | Layer::Position),
     });
     std::iter::once(float("color", 3)).chain(alpha).chain(layers).collect()
 }

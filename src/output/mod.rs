@@ -168,6 +168,7 @@ pub fn save(path: &Path, scene: &Scene, rendering: &Rendering) -> Result<(), Out
         bits: scene.output.bits,
         alpha: scene.is_transparent(),
         layers: rendering.band.layers.iter().map(|(layer, _)| *layer).collect(),
+        metadata: origin::scale(scene),
         ..FileSettings::new(scene.image.size)
     };
     let mut writer = open(path, &settings)?;

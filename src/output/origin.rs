@@ -10,7 +10,7 @@ use std::fmt::{self, Write};
 use super::FileSettings;
 use crate::program::Layer;
 use crate::render::Window;
-use crate::scene::Tonemap;
+use crate::scene::{ARCSECOND, Scene, Tonemap};
 
 /// The key of the ray settings, from [`Rays::followed`](crate::scene::Rays::followed).
 pub const FOLLOWED: &str = "rays";
@@ -25,6 +25,10 @@ pub const LINES: &str = "scene lines";
 pub const SAMPLES: &str = "samples";
 /// The key of the device.
 pub const DEVICE: &str = "device";
+/// The key of the scene's unit of length, in meters.
+pub(super) const LENGTH: &str = "unit of length";
+/// The key of the angle that a pixel at the center covers on the sky, in microarcseconds.
+pub(super) const PIXEL: &str = "pixel on the sky";
 /// The key of the display settings: exposure, tone map and bit depth.
 pub(super) const SHOWN: &str = "shown";
 /// The key of the part and the whole's size, for formats that do not store them otherwise.
@@ -63,6 +67,14 @@ impl fmt::Display for Difference {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "its `{}` is {}, not {}", self.key, self.value(0), self.value(1))
     }
+}
+
+/// Returns the metadata that the scene's `[units]` define.
+#[must_use]
+pub fn scale(scene: &Scene) -> Vec<(String, String)> {
+    let length = scene.units.and_then(|units| units.length).map(|length| (LENGTH, format!("{length} m")));
+    let pixel = scene.pixel_on_sky().map(|pixel| (PIXEL, format!("{} uas", pixel / ARCSECOND * 1e6)));
+    length.into_iter().chain(pixel).map(|(key, text)| (key.to_owned(), text)).collect()
 }
 
 /// Returns the display settings for a format without separate fields for them.

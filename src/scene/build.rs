@@ -45,6 +45,7 @@ impl Scene {
         let (mut materials, mut objects) = (Vec::new(), Vec::new());
         add_throat(&law, &mut materials, &mut objects);
         Self {
+            units: None,
             image: Image::default(),
             camera: None,
             law: Arc::new(law),

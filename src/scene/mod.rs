@@ -33,7 +33,7 @@ pub use crate::assets::{
     Curve, FanRay, Files, Formula, FormulaError, Function, Gltf, Graph, Id, IndexGrid, Interval, LineElement, Mesh,
     Node, Picture, Profile, ProfilePoint, Transform, Variable, Vertex,
 };
-pub use crate::document::{Diagnostic, KeyReference, Override, SceneError};
+pub use crate::document::{ARCSECOND, Diagnostic, KeyReference, Override, SceneError, Units};
 pub use crate::model::absorption::{Density, NoiseColoring, Texture};
 pub use crate::model::cross_section::{CORNERS, CutPlane, Outline};
 pub use crate::model::{
@@ -61,6 +61,8 @@ use optics::Optics;
 /// A whole scene: the complete and consistent values of one TOML file.
 #[derive(Debug, Clone)]
 pub struct Scene {
+    /// The scale of the scene, if it has one.
+    pub units: Option<Units>,
     /// The size and sampling of the image.
     pub image: Image,
     /// The camera; `None` is valid for `trace` alone.
@@ -261,6 +263,12 @@ impl Scene {
     #[must_use]
     pub fn pixel_angle(&self) -> Option<f64> {
         self.camera.as_ref()?.pixel_angle(self.image.size)
+    }
+
+    /// Returns the angle that a pixel at the image center covers on the sky, as seen from `units.distance`, in radians.
+    #[must_use]
+    pub fn pixel_on_sky(&self) -> Option<f64> {
+        Some(self.camera.as_ref()?.pixel_length(self.image.size)? * self.units?.angle()?)
     }
 
     /// Returns `true` if pixels of the image may be transparent, so that files have an alpha channel.

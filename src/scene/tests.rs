@@ -22,6 +22,7 @@ mod scenes;
 mod shells;
 mod synonyms;
 mod touching;
+mod units;
 
 use super::{Diagnostic, Override, Scene, SceneError};
 use std::path::Path;

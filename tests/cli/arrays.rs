@@ -81,6 +81,37 @@ fn arrays_have_the_bits_of_the_exr_with_numpy() {
     }
 }
 
+/// The black hole in the center of the Galaxy; the area of its shadow gives the diameter.
+const GALACTIC_CENTER: &str = r#"
+[units]
+mass = "4.3e6 Msun"
+distance = "8.2 kpc"
+[image]
+size = [320, 240]
+samples = 16
+[camera]
+position = [0, 0, 200000]
+fov = "75 uas"
+[law]
+kind = "schwarzschild"
+[rays]
+bounding_sphere = { radius = "5 au" }
+method = "planar"
+scaled_step = 0.05
+precision = "f64"
+[sky]
+color = [1, 1, 1]
+"#;
+
+#[test]
+#[ignore = "needs NumPy, astropy and h5py"]
+fn a_shadow_has_its_width_in_world_coordinates_with_numpy() {
+    let folder = Folder::with(GALACTIC_CENTER);
+    folder.run("render scene.toml -o b.fits --crop 150,100,40x30").succeeds();
+    folder.run("render scene.toml -o a.fits").succeeds();
+    python(&folder, "coordinates.py");
+}
+
 #[test]
 #[ignore = "needs NumPy, astropy and h5py"]
 fn tables_have_the_columns_of_the_csv_with_numpy() {

@@ -76,11 +76,11 @@ const VALUES: &[Case] = &[
         "[rays]\nbounding_sphere = { radius = 10 }\n[image]\nsize = [0, 12]\n",
         &["scene.toml:4:9: expected a whole number from 1 to 65536, found 0"],
     ),
-    ("[rays]\nbounding_sphere = { radius = -10 }\n", &["scene.toml:2:30: expected a number above 0, found -10"]),
+    ("[rays]\nbounding_sphere = { radius = -10 }\n", &["scene.toml:2:30: expected a length above 0, found -10"]),
     (
         "[rays]\nbounding_sphere = { radius = 10 }\n[materials.m]\n[[objects]]\nshape = \"sphere\"\nradius = -1.5\n\
          material = \"m\"\n",
-        &["scene.toml:6:10: expected a number above 0, found -1.5"],
+        &["scene.toml:6:10: expected a length above 0, found -1.5"],
     ),
     (
         "[rays]\nbounding_sphere = { radius = 10 }\n[materials.m]\n[[objects]]\nshape = \"sphere\"\ncenter = [9, 0, 0]\n\

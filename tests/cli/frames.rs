@@ -146,11 +146,7 @@ fn frames_that_cannot_be_are_refused() {
         ("-o {frame}.png --frames 3..2", 2, "the range `3..2` is descending; use 2..3"),
         ("-o {frame}.png --frames 1 --verify 9", 2, "'--verify <N>'"),
         ("-o {frame}.png --frames 1 --set law.mass=1", 1, "--set law.mass=1:1:10: `law.mass` is animated"),
-        (
-            "-o {frame}.png --frames 4 --set animation.tracks.1.values=[1,2,-3]",
-            1,
-            "expected a number above 0, found -3",
-        ),
+        ("-o {frame}.png --frames 4 --set animation.tracks.1.values=[1,2,-3]", 1, "expected a mass above 0, found -3"),
     ] {
         let ran = folder.run(&format!("render scene.toml {arguments}"));
         assert_eq!(ran.code, Some(code), "{}", ran.err);

@@ -10,7 +10,7 @@ use crate::gpu::{AccelStructure, Geometry, Grid, LightVolume, Memory, adapters, 
 use crate::model::medium::VISIBLE;
 use crate::program::Program;
 use crate::render::usual_steps;
-use crate::scene::{Beam, Scene, Shadows};
+use crate::scene::{ARCSECOND, Beam, Scene, Shadows};
 
 /// A scene, with its program and its size on the device.
 pub(super) struct Modelled<'a> {
@@ -35,6 +35,7 @@ impl CommandResult for Modelled<'_> {
         let mut lines =
             vec![format!("{}: {width}×{height}, samples {samples}, objects {objects}", self.path.display())];
         let mut add = |more: Vec<String>| lines.extend(more.into_iter().map(|line| format!("  {line}")));
+        add(unit_words(scene));
         add(self.adaptive_words().into_iter().collect());
         add(structure_words(&self.geometry).into_iter().collect());
         add(self.pass_words());
@@ -66,6 +67,7 @@ impl CommandResult for Modelled<'_> {
             "errors": [],
             "size": scene.image.size,
             "samples": scene.image.samples,
+            "units": units(scene),
             "adaptive": scene.image.adaptive,
             "objects": scene.objects.len(),
             "acceleration": structure(&self.geometry),
@@ -84,6 +86,42 @@ impl CommandResult for Modelled<'_> {
             "warnings": scene.warnings(),
         })
     }
+}
+
+/// Returns the scale of the scene in SI units, and in microarcseconds on the sky.
+fn units(scene: &Scene) -> Option<Value> {
+    let units = scene.units?;
+    Some(json!({
+        "length_m": units.length,
+        "time_s": units.time(),
+        "distance_m": units.distance,
+        "length_uas": units.angle().map(|angle| angle / ARCSECOND * 1e6),
+        "pixel_uas": scene.pixel_on_sky().map(|pixel| pixel / ARCSECOND * 1e6),
+    }))
+}
+
+fn unit_words(scene: &Scene) -> Vec<String> {
+    let Some(units) = scene.units else { return Vec::new() };
+    let mut words = Vec::new();
+    if let (Some(length), Some(time)) = (units.length, units.time()) {
+        words.push(format!("unit of length: {} km, which light travels in {} s", six(length / 1e3), six(time)));
+    }
+    if let Some(angle) = units.angle() {
+        words.push(format!("on the sky: {} uas per unit of length", six(angle / ARCSECOND * 1e6)));
+    }
+    if let Some(pixel) = scene.pixel_on_sky() {
+        words.push(format!("a pixel: {} uas", six(pixel / ARCSECOND * 1e6)));
+    }
+    words
+}
+
+/// Returns a number with six significant digits, and an exponent of ten if it is large or small.
+fn six(value: f64) -> String {
+    if (1e-3..1e6).contains(&value) {
+        let digits = 5 - value.log10().floor() as i32;
+        return format!("{value:.*}", digits.max(0) as usize);
+    }
+    format!("{value:.5e}")
 }
 
 impl Modelled<'_> {

@@ -6,7 +6,7 @@ use super::{Absorption, Density, NoiseColoring, Texture, density_of};
 use crate::assets::{Files, Formula};
 use crate::document::reader::TableReader;
 use crate::document::values::{
-    Parsed, array, color, direction, number, number_where, positive, text, vector, whole, word,
+    Parsed, array, color, direction, number, number_where, point, positive, text, whole, word,
 };
 use crate::document::{KeyReference, Node, Value, key_rows};
 
@@ -45,7 +45,7 @@ pub(crate) fn read(parent: &TableReader, node: &Node, center: DVec3, files: &mut
     let table = parent.reader.open("absorption", node)?;
     let usual = Absorption::even(DVec3::ONE);
     let small = number_where("a number above 0 and below 1", |x| x > 0.0 && x < 1.0);
-    let center = table.or("center", center, vector);
+    let center = table.or("center", center, point);
     let emission = table.or("emission", usual.emission, color);
     let tolerance = table.or("tolerance", usual.tolerance, small);
     let density = match table.one_of(&["transmittance", "coefficient", "texture"]) {

@@ -7,7 +7,7 @@ use glam::DVec2;
 
 use super::{Kind, Projection};
 use crate::document::keys;
-use crate::document::values::{number_where, word};
+use crate::document::values::{angle, fitting, word};
 use crate::model::{Row, row};
 
 pub static KIND: Kind = Kind {
@@ -19,7 +19,7 @@ pub static KIND: Kind = Kind {
     },
     read: |table| {
         // Beyond that, f32 cannot resolve a fraction of a turn.
-        let angle = number_where("an angle above 0 and up to 1000000 degrees", |x| x > 0.0 && x <= 1e6);
+        let angle = fitting(angle, "an angle above 0 and up to 1000000 degrees", |x| x > 0.0 && x <= 1e6);
         let choices = &[("black", Corners::Black), ("transparent", Corners::Transparent)];
         let corners = table.or("corners", Corners::Black, word(choices));
         Some(Arc::new(Fisheye { fov: table.or("fov", 180.0, angle), corners }))

@@ -60,6 +60,13 @@ pub trait Projection: fmt::Debug + Send + Sync + DynEq {
     /// Returns the angle of a pixel at the center of a view of `pixels`, in radians, or `None` for parallel rays.
     fn pixel_angle(&self, pixels: [f64; 2]) -> Option<f64>;
 
+    /// Returns the length of a pixel at the center of a view of `pixels`, on the plane at this distance, in scene units; `None` if views
+    /// are not planes.
+    fn pixel_length(&self, pixels: [f64; 2], distance: f64) -> Option<f64> {
+        let _ = (pixels, distance);
+        None
+    }
+
     /// Returns the WGSL module that makes the views of two eyes converge at a distance.
     fn convergence_part(&self) -> &'static str {
         "camera/eyes/crossing_sphere"
@@ -85,6 +92,8 @@ pub struct Camera {
     pub position: DVec3,
     /// The unit vector into the image.
     pub forward: DVec3,
+    /// The distance from the position to the point at the center of the image, in scene units.
+    pub distance: f64,
     /// The unit vector to the image's right.
     pub right: DVec3,
     /// The unit vector to the image's top.
@@ -151,6 +160,7 @@ impl Camera {
         Some(Self {
             position,
             forward,
+            distance: position.distance(at),
             right,
             up: right.cross(forward),
             projection,
@@ -191,6 +201,13 @@ impl Camera {
     #[must_use]
     pub fn pixel_angle(&self, size: [u32; 2]) -> Option<f64> {
         self.projection.pixel_angle(self.view_size(size).map(f64::from))
+    }
+
+    /// Returns the length of a pixel at the center of an image of this size, on the plane through the point that the camera looks at, in
+    /// scene units; `None` for a fisheye or a panorama.
+    #[must_use]
+    pub fn pixel_length(&self, size: [u32; 2]) -> Option<f64> {
+        self.projection.pixel_length(self.view_size(size).map(f64::from), self.distance)
     }
 
     /// Returns the values of the WGSL modules, for an image of this size in pixels.

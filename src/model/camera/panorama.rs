@@ -5,7 +5,7 @@ use std::sync::Arc;
 use glam::DVec2;
 
 use super::{Kind, Projection};
-use crate::document::values::{Parsed, array, positive};
+use crate::document::values::{Parsed, array, positive_angle};
 use crate::document::{Node, keys};
 use crate::model::{Row, row};
 
@@ -20,7 +20,7 @@ pub static KIND: Kind = Kind {
 
 /// Reads the horizontal and vertical opening angles.
 fn sides(node: &Node) -> Parsed<[f64; 2]> {
-    let angles: [f64; 2] = array("two angles in degrees, [across, upwards]", positive)(node)?;
+    let angles: [f64; 2] = array("two angles in degrees, [across, upwards]", positive_angle)(node)?;
     if angles[0] > 360.0 || angles[1] > 180.0 {
         let problem = format!("expected angles of up to [360, 180] degrees, found {angles:?}");
         return Err(node.fault(problem, "the full sphere is 360 by 180 degrees"));

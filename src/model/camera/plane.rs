@@ -4,12 +4,12 @@ use std::sync::Arc;
 
 use super::{Kind, Projection};
 use crate::document::keys;
-use crate::document::values::positive;
+use crate::document::values::positive_length;
 
 pub static KIND: Kind = Kind {
     name: "orthographic",
     keys: keys! { height: "number above 0" = "required", "height of the plane, scene units"; },
-    read: |table| Some(Arc::new(Plane { height: table.required("height", "10", positive)? })),
+    read: |table| Some(Arc::new(Plane { height: table.required("height", "10", positive_length)? })),
 };
 
 /// The orthographic projection.
@@ -31,6 +31,10 @@ impl Projection for Plane {
 
     fn pixel_angle(&self, _: [f64; 2]) -> Option<f64> {
         None
+    }
+
+    fn pixel_length(&self, [_, height]: [f64; 2], _: f64) -> Option<f64> {
+        Some(self.height / height)
     }
 
     fn convergence_part(&self) -> &'static str {

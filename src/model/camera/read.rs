@@ -4,7 +4,9 @@ use glam::{DVec3, DVec4};
 
 use super::{Camera, Event, KINDS, Path, Stereo, StereoLayout, WorldlineError, fall};
 use crate::document::reader::TableReader;
-use crate::document::values::{Parsed, boolean, direction, not_negative, number, positive, vector, word};
+use crate::document::values::{
+    Parsed, boolean, direction, length, not_negative_time, point, positive_length, time, vector, word,
+};
 use crate::document::{Node, SpannedError, Value};
 use crate::model::law::OBSERVER_PART;
 use crate::model::{Law, Observer, Order};
@@ -15,7 +17,7 @@ pub(crate) fn read(root: &TableReader, law: Option<&dyn Law>, size: [u32; 2]) ->
     let projection = KINDS.chosen(&table).and_then(|read| read(&table));
     let seat = seat(&table, law);
     let frame = seat.as_ref().map_or(Observer::Coordinate, |seat| seat.frame);
-    let look_at = table.or("look_at", DVec3::ZERO, vector);
+    let look_at = table.or("look_at", DVec3::ZERO, point);
     let up = table.or("up", DVec3::Y, direction);
     let shift = table.or("redshift", false, boolean);
     let hues = shift && table.or("color_shift", false, word(&[("kept", false), ("black-body", true)]));
@@ -30,6 +32,7 @@ pub(crate) fn read(root: &TableReader, law: Option<&dyn Law>, size: [u32; 2]) ->
         Some(Camera {
             position,
             forward,
+            distance: position.distance(look_at),
             right,
             up,
             projection: projection?,
@@ -59,10 +62,10 @@ fn seat(table: &TableReader, law: Option<&dyn Law>) -> Option<Seat> {
     if let Some(node) = table.node("worldline") {
         return on_worldline(table, node, law);
     }
-    let position = table.required("position", "[0, 2, 15]", vector);
+    let position = table.required("position", "[0, 2, 15]", point);
     let frame = frame(table, law);
-    let time = table.or("time", 0.0, number);
-    let proper = table.optional("proper_time", not_negative);
+    let time = table.or("time", 0.0, time);
+    let proper = table.optional("proper_time", not_negative_time);
     let seat = Seat { position: position?, frame, time };
     match proper {
         Some(proper) => after_fall(table, seat, law?, proper),
@@ -119,7 +122,7 @@ fn after_fall(table: &TableReader, seat: Seat, law: &dyn Law, proper: f64) -> Op
 
 /// Reads `worldline`: rows of t, x, y and z.
 fn on_worldline(table: &TableReader, node: &Node, law: Option<&dyn Law>) -> Option<Seat> {
-    let proper = table.or("proper_time", 0.0, not_negative);
+    let proper = table.or("proper_time", 0.0, not_negative_time);
     let Value::Array(items) = &node.value else {
         table.reader.fault(node.expected("an array of [t, x, y, z]"));
         return None;
@@ -164,7 +167,7 @@ fn event(node: &Node) -> Parsed<DVec4> {
     let expected = || node.expected("[t, x, y, z]");
     let Value::Array(items) = &node.value else { return Err(expected()) };
     let [t, x, y, z] = &items[..] else { return Err(expected()) };
-    Ok(DVec4::new(number(x)?, number(y)?, number(z)?, number(t)?))
+    Ok(DVec4::new(length(x)?, length(y)?, length(z)?, time(t)?))
 }
 
 fn slower_than_light(node: &Node) -> Parsed<DVec3> {
@@ -179,10 +182,10 @@ fn slower_than_light(node: &Node) -> Parsed<DVec3> {
 /// Reads the pair of eyes; returns `None` for a single eye or after an error.
 fn stereo(table: &TableReader, [width, height]: [u32; 2]) -> Option<Stereo> {
     let stereo = table.subtable("stereo", "camera.stereo")?;
-    let separation = stereo.required("separation", "0.065", positive);
+    let separation = stereo.required("separation", "0.065", positive_length);
     let layouts = &[("side-by-side", StereoLayout::SideBySide), ("top-bottom", StereoLayout::TopBottom)];
     let layout = stereo.or("layout", StereoLayout::SideBySide, word(layouts));
-    let convergence = stereo.optional("convergence", positive);
+    let convergence = stereo.optional("convergence", positive_length);
     stereo.finish();
     let (side, pixels) = match layout {
         StereoLayout::SideBySide => ("wide", width),

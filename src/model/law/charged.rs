@@ -8,7 +8,7 @@ use glam::DVec3;
 
 use super::{HoleForm, Kind, RoundHole};
 use crate::document::keys;
-use crate::document::values::{direction, number, positive, vector};
+use crate::document::values::{direction, length, mass, number, point};
 
 pub static KIND: Kind = Kind {
     name: "reissner-nordstrom",
@@ -22,10 +22,10 @@ pub static KIND: Kind = Kind {
     },
     read: |table, _| {
         let hole = RoundHole {
-            mass: table.or("mass", 1.0, positive),
-            charge: table.or("charge", 0.0, number),
+            mass: table.or("mass", 1.0, mass),
+            charge: table.or("charge", 0.0, length),
             cosmological: table.or("cosmological_constant", 0.0, number),
-            center: table.or("center", DVec3::ZERO, vector),
+            center: table.or("center", DVec3::ZERO, point),
             axis: table.or("axis", DVec3::Z, direction),
             form: HoleForm::Charged,
         };

@@ -21,7 +21,7 @@ use glam::{DVec2, DVec3, DVec4};
 use super::sources::OWN_SPEED;
 use super::{CharacteristicSurface, Kind, Law, LawProperties, Order, UsualSteps};
 use crate::document::reader::TableReader;
-use crate::document::values::{Parsed, array, number, positive, word};
+use crate::document::values::{Parsed, array, length, number, positive_length, word};
 use crate::document::{Node, Value as Written, keys};
 use crate::model::{Anchor, Binding, Capture, Promise, Row, UserWgsl, Value, Wgsl, row};
 
@@ -47,7 +47,7 @@ pub static KIND: Kind = Kind {
         ];
         let file = table.required_node("file", "\"law.wgsl\"").and_then(|node| files.text(table.reader, node));
         let depends = table.or("depends", Depends::Place, word(depends));
-        let scale = table.or("scale", 1.0, positive);
+        let scale = table.or("scale", 1.0, positive_length);
         let captures = captures(table);
         let parameters = parameters(table, file.as_ref().map(|(_, text)| &**text));
         let (file, text) = file?;
@@ -63,7 +63,7 @@ fn captures(table: &TableReader) -> Option<Vec<Capture>> {
         return None;
     };
     let capture = |node: &Node| {
-        let [x, y, z, radius] = array("a sphere, [x, y, z, radius]", number)(node)?;
+        let [x, y, z, radius] = array("a sphere, [x, y, z, radius]", length)(node)?;
         let sphere = Capture { anchor: Anchor::center(DVec3::new(x, y, z)), radius };
         if radius > 0.0 { Ok(sphere) } else { Err(node.fault("the radius must be above 0", "")) }
     };

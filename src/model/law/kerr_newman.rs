@@ -17,7 +17,7 @@ use glam::{DMat4, DVec3, DVec4};
 use super::observer::{four_velocity, light_speed};
 use super::{CharacteristicSurface, Invariant, Kind, Law, LawProperties, Observer, Orbit, OrbitForm, Order};
 use crate::document::keys;
-use crate::document::values::{direction, number, positive, vector};
+use crate::document::values::{direction, length, mass, point};
 use crate::model::halved::halved;
 use crate::model::point_source::spheroid;
 use crate::model::{Anchor, Binding, Capture, Wgsl, row};
@@ -36,13 +36,13 @@ pub static KIND: Kind = Kind {
         center: "[x, y, z]" = "[0, 0, 0]", "position of the black hole";
     },
     read: |table, _| {
-        let spin = table.or("spin", 0.0, number);
+        let spin = table.or("spin", 0.0, length);
         Some(Arc::new(KerrNewman {
-            mass: table.or("mass", 1.0, positive),
+            mass: table.or("mass", 1.0, mass),
             spin: spin.abs(),
             axis: table.or("axis", DVec3::Z, direction) * if spin < 0.0 { -1.0 } else { 1.0 },
-            charge: table.or("charge", 0.0, number),
-            center: table.or("center", DVec3::ZERO, vector),
+            charge: table.or("charge", 0.0, length),
+            center: table.or("center", DVec3::ZERO, point),
         }))
     },
 };

@@ -6,7 +6,7 @@ use glam::DVec3;
 
 use super::{HoleForm, Kind, RoundHole};
 use crate::document::keys;
-use crate::document::values::{direction, positive, vector, word};
+use crate::document::values::{direction, mass, point, word};
 
 pub static KIND: Kind = Kind {
     name: "schwarzschild",
@@ -22,7 +22,7 @@ pub static KIND: Kind = Kind {
         Some(Arc::new(RoundHole {
             form: table.or("form", HoleForm::Path, word(forms)),
             axis: table.or("axis", DVec3::Z, direction),
-            ..RoundHole::new(table.or("mass", 1.0, positive), table.or("center", DVec3::ZERO, vector))
+            ..RoundHole::new(table.or("mass", 1.0, mass), table.or("center", DVec3::ZERO, point))
         }))
     },
 };

@@ -10,7 +10,7 @@ use super::{
 };
 use crate::document::keys;
 use crate::document::reader::TableReader;
-use crate::document::values::{choice, not_negative, not_zero, vector, word};
+use crate::document::values::{choice, not_negative_length, not_zero, point, word};
 use crate::model::falloff::{self, FALLOFFS, Falloff};
 use crate::model::point_source::SOURCES;
 use crate::model::{Anchor, Binding, Capture, Row, Source, Wgsl, row};
@@ -39,10 +39,10 @@ pub static KIND: Kind = Kind {
 
 fn source(table: TableReader) -> Option<Source> {
     let kind = table.decide("kind", 0, choice(&SOURCES.map(|kind| kind.name))).map(|kind| SOURCES[kind]);
-    let position = table.required("position", "[0, 0, 0]", vector);
+    let position = table.required("position", "[0, 0, 0]", point);
     let along = kind.and_then(|kind| (kind.along)(&table));
     let strength = table.required("strength", "1", not_zero);
-    let capture = table.or("capture_radius", 0.0, not_negative);
+    let capture = table.or("capture_radius", 0.0, not_negative_length);
     let falloff = match table.node("falloff") {
         Some(node) => falloff::read(&table, node),
         None => Some(Falloff::INVERSE_SQUARE),

@@ -14,7 +14,7 @@ use glam::{DMat4, DVec3, DVec4};
 use super::observer::{in_space, spherical};
 use super::{Invariant, Kind, Law, LawProperties, Observer, Order, Throat, UsualSteps};
 use crate::document::keys;
-use crate::document::values::{not_negative, positive, vector};
+use crate::document::values::{mass, not_negative_length, point, positive_length};
 use crate::model::{Binding, Wgsl, row};
 
 pub static KIND: Kind = Kind {
@@ -24,20 +24,20 @@ pub static KIND: Kind = Kind {
         length: "number from 0" = "0", "length 2a of the cylindrical part of the throat, in scene units; for a throat with `mass`";
         mass: "number above 0" = "none", "M, which sets how fast the throat opens, as with a black hole of that mass; the lensing width is 1.43 M. Without it, an Ellis wormhole";
         center: "[x, y, z]" = "[0, 0, 0]", "position of the mouth on this side";
-        other_mouth: "[x, y, z]" = "required", "position of the mouth on the other side, around which the objects there are placed";
+        other_mouth: "[x, y, z]" = "required", "position of the mouth on the other side, in scene units, around which the objects there are placed";
     },
     read: |table, _| {
-        let mass = table.optional("mass", positive);
-        let length = table.or("length", 0.0, not_negative);
+        let mass = table.optional("mass", mass);
+        let length = table.or("length", 0.0, not_negative_length);
         if mass.is_none() && length > 0.0 {
             table.fault(&["length"], "an Ellis wormhole has no cylindrical part", "add `mass`, or remove `length`");
         }
         Some(Arc::new(Wormhole {
-            radius: table.or("radius", 1.0, positive),
+            radius: table.or("radius", 1.0, positive_length),
             length,
             mass,
-            center: table.or("center", DVec3::ZERO, vector),
-            other: table.required("other_mouth", "[1000, 0, 0]", vector)?,
+            center: table.or("center", DVec3::ZERO, point),
+            other: table.required("other_mouth", "[1000, 0, 0]", point)?,
         }))
     },
 };

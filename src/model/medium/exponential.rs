@@ -7,7 +7,7 @@ use glam::DVec3;
 use super::{Kind, Medium, MediumProperties, ORIGIN, Surroundings, UP, origin, up};
 use crate::document::keys;
 use crate::document::reader::TableReader;
-use crate::document::values::{number_where, positive};
+use crate::document::values::{number_where, positive_length};
 use crate::model::{Row, fields};
 
 pub static KIND: Kind = Kind {
@@ -31,7 +31,7 @@ fields! {
         /// The value of n − 1 at the origin, which must be above −1 for a positive index.
         delta: f64 as Float = table.required("delta", "0.00029", number_where("a number above -1, other than 0", |delta| delta > -1.0 && delta != 0.0)),
         /// The scale height H.
-        height: f64 as Float = table.required("height", "8000", positive),
+        height: f64 as Float = table.required("height", "8000", positive_length),
     }
 }
 

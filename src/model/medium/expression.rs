@@ -7,7 +7,7 @@ use glam::DVec3;
 use super::{Kind, Medium, MediumProperties, Surroundings, center};
 use crate::assets::Formula;
 use crate::document::reader::TableReader;
-use crate::document::values::{positive, text};
+use crate::document::values::{positive_length, text};
 use crate::document::{Node, keys};
 use crate::model::{Row, fields};
 
@@ -29,7 +29,7 @@ fields! {
         /// The origin of x, y, z and r.
         center: DVec3 as Vec3 = Some(center(table, around)),
         /// The length over which n changes.
-        scale: f64 as Float = Some(table.or("scale", around.radius.unwrap_or(1.0), positive)),
+        scale: f64 as Float = Some(table.or("scale", around.radius.unwrap_or(1.0), positive_length)),
         /// The formula of n relative to the center. Rays fail where it has no positive value.
         n: Formula = table.required_node("n", "\"1 + 0.1 * exp(-r^2)\"").and_then(|node| formula(table, node)),
     }

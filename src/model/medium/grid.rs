@@ -8,7 +8,7 @@ use super::{Kind, Medium, MediumProperties};
 use crate::assets::{Files, GridUse, IndexGrid, RawGridLayout, Stored};
 use crate::document::keys;
 use crate::document::reader::TableReader;
-use crate::document::values::{array, not_zero, number, text, vector, whole, word};
+use crate::document::values::{array, not_zero, number, point, text, whole, word};
 use crate::model::{Row, row};
 
 pub static KIND: Kind = Kind {
@@ -18,7 +18,7 @@ pub static KIND: Kind = Kind {
             "samples of the index, n = offset + scale · value, with Catmull–Rom interpolation: NRRD if the name ends in .nrrd or .nhdr, otherwise raw numbers, x fastest";
         min: "[x, y, z]" = "from the NRRD file, or required", "position of the first sample, in scene units; with max";
         max: "[x, y, z]" = "from the NRRD file, or required",
-            "position of the last sample; outside the grid, the index has its value at the border";
+            "position of the last sample, in scene units; outside the grid, the index has its value at the border";
         scale: "number other than 0" = "1", "see `file`";
         offset: "number" = "0", "see `file`";
         size (", unless the file is NRRD"): "[nx, ny, nz], 2 or more" = "required", "samples along x, y and z";
@@ -31,7 +31,7 @@ pub static KIND: Kind = Kind {
 /// Reads `file`, and the metadata that the file does not contain.
 fn samples(table: &TableReader, files: &mut Files) -> Option<Arc<IndexGrid>> {
     let file = table.required_node("file", "\"index.nrrd\"");
-    let (min, max) = (table.optional("min", vector), table.optional("max", vector));
+    let (min, max) = (table.optional("min", point), table.optional("max", point));
     let scale = table.or("scale", 1.0, not_zero);
     let offset = table.or("offset", 0.0, number);
     let name = table.reader.accept(text(file?))?;

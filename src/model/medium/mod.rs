@@ -33,7 +33,7 @@ use super::dyn_eq::same;
 use super::{Absorption, Capture, ClosedForm, DynEq, Row, Wgsl, absorption};
 use crate::assets::{Files, Formula};
 use crate::document::reader::TableReader;
-use crate::document::values::{direction, positive, suggest, vector};
+use crate::document::values::{direction, point, positive, positive_length, suggest};
 use crate::document::{self, Key, Kinds, Node, Value, keys};
 
 pub use constant::{COMMON, Constant};
@@ -218,19 +218,19 @@ const ORIGIN: Key = keys! {
 const UP: Key = keys! { up: "[x, y, z]" = "[0, 1, 0]", "direction of increasing height"; }[0];
 
 fn center(table: &TableReader, around: Surroundings) -> DVec3 {
-    table.or("center", around.center, vector)
+    table.or("center", around.center, point)
 }
 
 /// Reads a length that defaults to the object's radius, if it has one.
 fn length(table: &TableReader, key: &'static str, example: &str, around: Surroundings) -> Option<f64> {
     match around.radius {
-        Some(radius) => Some(table.or(key, radius, positive)),
-        None => table.required(key, example, positive),
+        Some(radius) => Some(table.or(key, radius, positive_length)),
+        None => table.required(key, example, positive_length),
     }
 }
 
 fn origin(table: &TableReader, around: Surroundings) -> DVec3 {
-    table.or("origin", around.center, vector)
+    table.or("origin", around.center, point)
 }
 
 fn up(table: &TableReader) -> DVec3 {

@@ -8,7 +8,7 @@ use super::{CENTER, Contact, Kind, Placed, Primitive, Shape};
 use crate::assets::Transform;
 use crate::document::keys;
 use crate::document::reader::TableReader;
-use crate::document::values::{extents, vector};
+use crate::document::values::{edges, point};
 use crate::model::cross_section::{LocalPlane, Outline, cuboid};
 
 pub static KIND: Kind = Kind {
@@ -16,17 +16,17 @@ pub static KIND: Kind = Kind {
     keys: &[
         CENTER,
         keys! { size: "[x, y, z], above 0" = "[1, 1, 1]", "edge lengths, in scene units"; }[0],
-        keys! { min: "[x, y, z]" = "none", "lowest corner, with max; instead of center and size"; }[0],
-        keys! { max: "[x, y, z]" = "none", "highest corner"; }[0],
+        keys! { min: "[x, y, z]" = "none", "lowest corner, in scene units, with max; instead of center and size"; }[0],
+        keys! { max: "[x, y, z]" = "none", "highest corner, in scene units"; }[0],
     ],
     read: |table, _, _| Some((Arc::new(Cuboid), place(table)?)),
 };
 
 /// Reads the placement from center and size, or from min and max.
 fn place(table: &TableReader) -> Option<DAffine3> {
-    let corners = (table.optional("min", vector), table.optional("max", vector));
-    let center = table.optional("center", vector);
-    let size = table.optional("size", extents);
+    let corners = (table.optional("min", point), table.optional("max", point));
+    let center = table.optional("center", point);
+    let size = table.optional("size", edges);
     let refuse = |keys: &[&str], problem: &str| {
         table.fault(keys, problem, "");
         None

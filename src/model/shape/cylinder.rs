@@ -10,7 +10,7 @@ use super::read::upright;
 use super::{CENTER, Contact, Kind, Placed, Primitive, RADIUS, Shape};
 use crate::assets::Transform;
 use crate::document::keys;
-use crate::document::values::positive;
+use crate::document::values::positive_length;
 use crate::model::cross_section::{LocalPlane, Outline, cylinder};
 use crate::model::medium::Surroundings;
 
@@ -24,8 +24,8 @@ pub static KIND: Kind = Kind {
     ],
     read: |table, _, _| {
         let place = upright(table, "axis");
-        let radius = table.or("radius", 1.0, positive);
-        let height = table.or("height", 2.0, positive);
+        let radius = table.or("radius", 1.0, positive_length);
+        let height = table.or("height", 2.0, positive_length);
         Some((Arc::new(Cylinder), place * DAffine3::from_scale(DVec3::new(radius, height / 2.0, radius))))
     },
 };

@@ -8,7 +8,7 @@ use super::read::upright;
 use super::{CENTER, Contact, Kind, NORMAL, Primitive, RADIUS, Shape, extent};
 use crate::assets::Transform;
 use crate::document::keys;
-use crate::document::values::{not_negative, positive};
+use crate::document::values::{not_negative_length, positive_length};
 use crate::model::cross_section::{LocalPlane, ON, Outline, PARALLEL, circle};
 
 pub static KIND: Kind = Kind {
@@ -21,8 +21,8 @@ pub static KIND: Kind = Kind {
     ],
     read: |table, _, _| {
         let place = upright(table, "normal");
-        let radius = table.or("radius", 1.0, positive);
-        let hole = table.or("inner_radius", 0.0, not_negative);
+        let radius = table.or("radius", 1.0, positive_length);
+        let hole = table.or("inner_radius", 0.0, not_negative_length);
         if hole >= radius {
             table.fault(&["inner_radius"], format!("expected an inner radius less than the radius, {radius}"), "");
             return None;

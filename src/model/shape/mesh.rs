@@ -6,7 +6,7 @@ use glam::{DAffine3, DVec3};
 
 use super::{Contact, Kind, Primitive, Shape};
 use crate::assets::{Mesh, MeshPart, MeshRequest, NodeName, Transform};
-use crate::document::values::{Parsed, number_where, whole};
+use crate::document::values::{Parsed, angle, fitting, whole};
 use crate::document::{Node, Value, keys};
 use crate::model::cross_section::{LocalPlane, Outline, mesh};
 use crate::model::medium::Surroundings;
@@ -23,7 +23,7 @@ pub static KIND: Kind = Kind {
     },
     read: |table, _, files| {
         let file = table.required_node("file", "\"teapot.obj\"");
-        let angle = number_where("an angle from 0 to 180 degrees", |x| (0.0..=180.0).contains(&x));
+        let angle = fitting(angle, "an angle from 0 to 180 degrees", |x| (0.0..=180.0).contains(&x));
         let crease = table.or("crease", MeshRequest::CREASE, angle);
         let node = table.optional("node", node_name);
         let primitive = table.optional("primitive", whole(0..=u32::MAX));

@@ -8,7 +8,7 @@ use super::read::upright;
 use super::{CENTER, Contact, Kind, NORMAL, Placed, Primitive, Shape};
 use crate::assets::Transform;
 use crate::document::keys;
-use crate::document::values::{array, positive};
+use crate::document::values::{array, positive_length};
 use crate::model::cross_section::{LocalPlane, Outline, square};
 
 pub static KIND: Kind = Kind {
@@ -20,7 +20,7 @@ pub static KIND: Kind = Kind {
     ],
     read: |table, across, _| {
         let place = upright(table, "normal");
-        let edges = array("two numbers above 0, [width, depth]", positive);
+        let edges = array("two numbers above 0, [width, depth]", positive_length);
         let size = table.or("size", DVec2::splat(across), |node| edges(node).map(DVec2::from_array));
         Some((Arc::new(Plane), place * DAffine3::from_scale(DVec3::new(size.x / 2.0, 1.0, size.y / 2.0))))
     },

@@ -5,7 +5,7 @@ use glam::{DAffine3, DQuat, DVec3};
 use super::{KINDS, Object, Shape, Substance, ball, rigid_motion, round_up};
 use crate::assets::{Files, Transform};
 use crate::document::reader::TableReader;
-use crate::document::values::{Parsed, direction, extents, positive, suggest, text, vector, whole};
+use crate::document::values::{Parsed, angles, direction, extents, point, positive, suggest, text, whole};
 use crate::document::{Node, Span, Value};
 use crate::model::medium::{self, Interior, Surroundings};
 use crate::model::{Law, Material};
@@ -44,8 +44,8 @@ fn object(
 ) -> Option<Object> {
     let across = 2.0 * bound.map_or(1.0, |(_, radius)| radius);
     let shape = KINDS.chosen(table).and_then(|read| read(table, across, files));
-    let translate = table.or("translate", DVec3::ZERO, vector);
-    let rotate = table.or("rotate", DVec3::ZERO, vector);
+    let translate = table.or("translate", DVec3::ZERO, point);
+    let rotate = table.or("rotate", DVec3::ZERO, angles);
     let scale = table.or("scale", DVec3::ONE, |node| match node.value {
         Value::Array(_) => extents(node),
         _ => positive(node).map(DVec3::splat),
@@ -118,7 +118,7 @@ fn material(node: &Node, materials: &[&str]) -> Parsed<usize> {
 
 /// Returns the map to `center` with y in the direction of `key`.
 pub(super) fn upright(table: &TableReader, key: &'static str) -> DAffine3 {
-    let center = table.or("center", DVec3::ZERO, vector);
+    let center = table.or("center", DVec3::ZERO, point);
     let rotation = DQuat::from_rotation_arc(DVec3::Y, table.or(key, DVec3::Y, direction));
     DAffine3::from_rotation_translation(rotation, center)
 }

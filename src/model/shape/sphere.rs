@@ -7,7 +7,7 @@ use glam::{DAffine3, DQuat, DVec3};
 use super::extent::ellipsoid;
 use super::{CENTER, Contact, Kind, Placed, Primitive, RADIUS, Shape};
 use crate::assets::Transform;
-use crate::document::values::{positive, vector};
+use crate::document::values::{point, positive_length};
 use crate::model::cross_section::{LocalPlane, Outline, circle};
 use crate::model::medium::Surroundings;
 
@@ -15,8 +15,8 @@ pub static KIND: Kind = Kind {
     name: "sphere",
     keys: &[CENTER, RADIUS],
     read: |table, _, _| {
-        let center = table.or("center", DVec3::ZERO, vector);
-        let radius = DVec3::splat(table.or("radius", 1.0, positive));
+        let center = table.or("center", DVec3::ZERO, point);
+        let radius = DVec3::splat(table.or("radius", 1.0, positive_length));
         let own = DAffine3::from_scale_rotation_translation(radius, DQuat::IDENTITY, center);
         Some((Arc::new(Sphere), own))
     },

@@ -1,7 +1,7 @@
 //! The reader of `[ambient]`, which sets the ambient occlusion.
 
 use crate::document::reader::TableReader;
-use crate::document::values::{number_where, positive, word};
+use crate::document::values::{number_where, positive_length, word};
 use crate::scene::optics::Optics;
 use crate::scene::{Occlusion, TransparentShadows};
 
@@ -36,7 +36,7 @@ pub fn read(root: &TableReader, optics: &Optics, chords: bool) -> Option<Occlusi
     }
     let occlusion = Occlusion {
         along_law: along_law && optics.bends(),
-        distance: table.optional("distance", positive),
+        distance: table.optional("distance", positive_length),
         floor: table.or("floor", 0.0, fraction),
         clear: if along_law {
             TransparentShadows::Closed

@@ -9,7 +9,7 @@
 
 use crate::document::reader::{Reader, TableReader};
 use crate::document::values::{Parsed, number, number_where, text, whole, word};
-use crate::document::{Document, Node, Span, SpannedError, Value, names};
+use crate::document::{Document, Node, Quantity, Span, SpannedError, Value, names};
 
 /// The contents of `[animation]`.
 pub struct Tracks {
@@ -102,7 +102,8 @@ fn values(node: &Node) -> Parsed<Vec<Node>> {
     for item in items {
         numbers(item)?;
         if !same_shape(first, item) {
-            return Err(item.fault("this value and the first value of the track have different shapes", ""));
+            let problem = "this value and the first value of the track have different shapes or kinds of units";
+            return Err(item.fault(problem, ""));
         }
     }
     Ok(items.clone())
@@ -112,6 +113,7 @@ fn numbers(node: &Node) -> Parsed<()> {
     match &node.value {
         Value::Array(items) => items.iter().try_for_each(numbers),
         Value::Integer(_) | Value::Float(_) => number(node).map(|_| ()),
+        Value::Quantity(_) => Ok(()),
         _ => Err(node.expected("a number or an array of numbers, because other values cannot be interpolated")),
     }
 }
@@ -119,7 +121,8 @@ fn numbers(node: &Node) -> Parsed<()> {
 fn same_shape(a: &Node, b: &Node) -> bool {
     match (&a.value, &b.value) {
         (Value::Array(a), Value::Array(b)) => a.len() == b.len() && a.iter().zip(b).all(|(a, b)| same_shape(a, b)),
-        (Value::Array(_), _) | (_, Value::Array(_)) => false,
+        (Value::Quantity(a), Value::Quantity(b)) => a.dimension == b.dimension,
+        (Value::Array(_) | Value::Quantity(_), _) | (_, Value::Array(_) | Value::Quantity(_)) => false,
         _ => true,
     }
 }
@@ -188,12 +191,25 @@ fn smooth([before, from, to, after]: [f64; 4], frame: f64) -> [f64; 4] {
 
 /// Returns the weighted sum of four values with equal shapes, at the location of the second.
 fn mixed(nodes: [&Node; 4], weights: [f64; 4]) -> Node {
-    let value = if let Value::Array(items) = &nodes[1].value {
-        let item = |i: usize| mixed(nodes.map(|node| item_of(node, i)), weights);
-        Value::Array((0..items.len()).map(item).collect())
-    } else {
+    let sum = |of: &dyn Fn(&Node) -> f64| -> f64 {
         let terms = nodes.into_iter().zip(weights).filter(|(_, weight)| *weight != 0.0);
-        Value::Float(terms.map(|(node, weight)| weight * plain(node)).sum())
+        terms.map(|(node, weight)| weight * of(node)).sum()
+    };
+    let value = match &nodes[1].value {
+        Value::Array(items) => {
+            let item = |i: usize| mixed(nodes.map(|node| item_of(node, i)), weights);
+            Value::Array((0..items.len()).map(item).collect())
+        }
+        Value::Quantity(read) => {
+            let of = |node: &Node, value: fn(&Quantity) -> f64| match &node.value {
+                Value::Quantity(read) => value(read),
+                _ => f64::NAN,
+            };
+            let si = sum(&|node| of(node, |read| read.si));
+            let value = read.value.map(|_| sum(&|node| of(node, |read| read.value.unwrap_or(f64::NAN))));
+            Value::Quantity(Quantity { text: format!("{si:e} in SI units"), si, value, ..read.clone() })
+        }
+        _ => Value::Float(sum(&plain)),
     };
     Node { place: nodes[1].place, value }
 }

@@ -16,6 +16,7 @@ mod regions;
 mod shift;
 mod sky;
 mod travel;
+mod units;
 
 use super::lights::PATHS;
 use super::optics::Optics;
@@ -26,7 +27,7 @@ use super::{
 };
 use crate::assets::Files;
 use crate::document::reader::{Reader, TableReader};
-use crate::document::values::{color, direction, number_where, positive, vector, whole, word};
+use crate::document::values::{color, direction, number_where, point, positive, positive_length, whole, word};
 use crate::document::{Document, Override, given_name, read_given_text};
 use crate::model::{Camera, Capture, Law, camera, law, material, shape};
 use glam::{DMat3, DVec3};
@@ -110,7 +111,18 @@ impl Scene {
     /// assert_eq!((errors[0].line, errors[0].column), (3, 1));
     /// ```
     pub fn parse(text: &str, path: &Path, overrides: &[Override]) -> Result<Self, SceneError> {
-        Self::of(&Document::parse(text, path, overrides)?, path, &mut Files::default())
+        Self::parse_with(&mut Files::default(), text, path, overrides)
+    }
+
+    /// Parses a scene like [`Scene::parse`], with a cache of files for later scenes.
+    ///
+    /// # Errors
+    ///
+    /// Returns the errors of [`parse`](Self::parse).
+    pub fn parse_with(files: &mut Files, text: &str, path: &Path, overrides: &[Override]) -> Result<Self, SceneError> {
+        let mut document = Document::parse(text, path, overrides)?;
+        units::resolve(&mut document);
+        Self::of(&document, path, files)
     }
 
     fn of(document: &Document, path: &Path, files: &mut Files) -> Result<Self, SceneError> {
@@ -134,6 +146,7 @@ fn document(
     frame_of: Option<&dyn Fn(&str) -> f64>,
 ) -> Result<Document, SceneError> {
     let mut document = Document::parse(&read_given_text(path)?, given_name(path), overrides)?;
+    units::resolve(&mut document);
     if let Some(frame_of) = frame_of {
         animation::apply(&mut document, frame_of);
     }
@@ -143,6 +156,7 @@ fn document(
 /// Creates the scene as far as possible; the reader collects errors.
 pub(super) fn scene(reader: &Reader, files: &mut Files) -> Option<Scene> {
     let root = reader.root();
+    let units = units::read(&root);
     let (law, absorption) = law::read(&root, files);
     let table = rays::table(&root);
     let bound = table.as_ref().and_then(rays::bound);
@@ -212,6 +226,7 @@ pub(super) fn scene(reader: &Reader, files: &mut Files) -> Option<Scene> {
     }
     root.finish();
     let mut scene = Scene {
+        units,
         image,
         camera,
         law: law?,
@@ -329,18 +344,19 @@ fn light_grid(table: &TableReader) -> LightGrid {
 /// Reads a light; `reach` is the radius of the bounding sphere.
 fn light(table: TableReader, reach: f64, optics: &Optics) -> Option<Light> {
     let kinds = word(&[("point", true), ("directional", false)]);
-    let point = table.decide_required("kind", "\"point\"", kinds);
+    let is_point = table.decide_required("kind", "\"point\"", kinds);
     let color = table.or("color", DVec3::ONE, color);
     let shadows = table.or("shadows", Shadows::None, word(SHADOWS));
-    let source = point.and_then(|point| {
-        if point {
-            table.required("position", "[10, 10, 10]", vector).map(LightSource::Point)
+    let source = is_point.and_then(|is_point| {
+        if is_point {
+            table.required("position", "[10, 10, 10]", point).map(LightSource::Point)
         } else {
             table.required("direction", "[0, -1, 0]", direction).map(LightSource::Directional)
         }
     });
     // The light of a directional source does not fall off.
-    let falls = point == Some(true) && table.or("falloff", false, word(&[("none", false), ("inverse-square", true)]));
+    let falls =
+        is_point == Some(true) && table.or("falloff", false, word(&[("none", false), ("inverse-square", true)]));
     let straight = shadows == Shadows::Straight;
     let clear = if straight {
         table.or("transparent", TransparentShadows::Open, word(&TransparentShadows::WORDS))
@@ -348,9 +364,9 @@ fn light(table: TableReader, reach: f64, optics: &Optics) -> Option<Light> {
         TransparentShadows::Open
     };
     let shot = shadows == Shadows::Shooting;
-    let size = if shot { table.or("min_distance", 1e-3 * reach, positive) } else { 0.0 };
+    let size = if shot { table.or("min_distance", 1e-3 * reach, positive_length) } else { 0.0 };
     if shot {
-        check_shooting(&table, point == Some(true), optics);
+        check_shooting(&table, is_point == Some(true), optics);
     }
     if shadows.follows_the_law() {
         check_aimed(&table, optics);

@@ -3,7 +3,9 @@
 use glam::DVec3;
 
 use crate::document::reader::TableReader;
-use crate::document::values::{Parsed, boolean, choice, number_where, positive, text, vector, whole, word};
+use crate::document::values::{
+    Parsed, boolean, choice, point, positive, positive_angle, positive_length, text, wavelength, whole, word,
+};
 use crate::document::{Node, SpannedError, Value};
 use crate::model::medium::D_LINE;
 use crate::model::method::{self, Demands, NamedMethod};
@@ -96,10 +98,6 @@ pub fn read(table: TableReader, bound: Option<Bound>, optics: &Optics) -> Option
     })
 }
 
-fn wavelength(node: &Node) -> Parsed<f64> {
-    number_where("a wavelength above 0 nm", |x| x > 0.0)(node)
-}
-
 /// Reads the rays that continue after a split; path tracing follows one of the two.
 fn branching(table: &TableReader, optics: &Optics) -> Splitting {
     let usual = if optics.paths.is_some() { Splitting::Random } else { Splitting::Enumerated(4) };
@@ -184,6 +182,7 @@ fn accuracy(node: &Node) -> Parsed<Accuracy> {
             let pixels = pixels.filter(|pixels| pixels.is_finite() && *pixels > 0.0);
             pixels.map(Accuracy::Pixels).ok_or_else(|| node.expected(WHAT))
         }
+        Value::Quantity(_) => positive_angle(node).map(|degrees| Accuracy::Radians(degrees.to_radians())),
         _ => positive(node).map(Accuracy::Radians).map_err(|_| node.expected(WHAT)),
     }
 }
@@ -194,14 +193,14 @@ pub fn bound(table: &TableReader) -> Option<Bound> {
     let node = table.required_node("bounding_sphere", EXAMPLE)?;
     if !matches!(node.value, Value::Table(_)) {
         // A plain number is the radius.
-        let radius = positive(node).unwrap_or(50.0);
+        let radius = positive_length(node).unwrap_or(50.0);
         let help = format!("for example bounding_sphere = {{ radius = {radius} }}");
         table.reader.fault(SpannedError { help, ..node.expected("a table") });
         return None;
     }
     let bound = table.reader.open("rays.bounding_sphere", node)?;
-    let center = bound.or("center", DVec3::ZERO, vector);
-    let radius = bound.required("radius", "50", positive);
+    let center = bound.or("center", DVec3::ZERO, point);
+    let radius = bound.required("radius", "50", positive_length);
     bound.finish();
     Some(Bound { center, radius: radius? })
 }
@@ -215,7 +214,7 @@ fn is_polygon(table: &TableReader) -> bool {
 fn segment(table: &TableReader, tolerance: f64, polygon: bool) -> Segment {
     let arc = Segment::Arc { tolerance };
     match table.decide("segment", !polygon, word(&[("arc", true), ("chord", false)])) {
-        Some(true) => Segment::Arc { tolerance: table.or("arc_tolerance", tolerance, positive) },
+        Some(true) => Segment::Arc { tolerance: table.or("arc_tolerance", tolerance, positive_length) },
         Some(false) => {
             Segment::Chord { steps: table.or("steps_per_segment", if polygon { 1 } else { 10 }, whole(1..=1000)) }
         }

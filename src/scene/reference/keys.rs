@@ -9,6 +9,7 @@ use crate::document::{KeyReference, key_rows};
 pub(super) fn fixed() -> Vec<KeyReference> {
     key_rows! {
         "" {
+            units: "table" = "none", "the scale of the scene, which allows numbers with units, such as \"8 kpc\" and \"30 deg\"";
             image: "table" = "{}", "size and sampling of the image";
             camera: "table" = "none", "ray origins and directions; optional for `trace`";
             law: "table" = "{}", "how light travels";
@@ -23,6 +24,11 @@ pub(super) fn fixed() -> Vec<KeyReference> {
             ambient: "table" = "none", "ambient occlusion; without it, ambient light reaches every point";
             animation: "table" = "none", "keys that change between frames, for `render --frames`";
         }
+        "units" {
+            mass if "no length": "string" = "none", "mass of 1 in scene units, such as \"4.3e6 Msun\": the unit of length is then GM/c², and the unit of time is GM/c³";
+            length if "no mass": "string" = "none", "unit of length, such as \"1 km\"; the unit of time is the time in which light travels this length";
+            distance: "string" = "none", "distance from which the scene is seen, such as \"8.2 kpc\": lengths and `camera.fov` may then be angles on the sky, such as \"60 uas\"";
+        }
         "image" {
             size: "[width, height], 1 to 65536" = "[800, 600]", "image size, in pixels";
             samples: "whole number, 1 to 1048576" = "1", "samples per pixel; with `adaptive`, the maximum per pixel: a power of two, at least 16, by default 64";
@@ -35,7 +41,7 @@ pub(super) fn fixed() -> Vec<KeyReference> {
         }
         "camera" {
             position if "no worldline": "[x, y, z]" = "required", "camera position, or the center of the image plane; scene units";
-            look_at: "[x, y, z]" = "[0, 0, 0]", "point at the center of the image; differs from position";
+            look_at: "[x, y, z]" = "[0, 0, 0]", "point at the center of the image, in scene units; differs from position";
             up: "[x, y, z]" = "[0, 1, 0]", "direction that points up in the image; not parallel to the viewing direction";
             observer if "no worldline": "coordinate | static | eulerian | zamo | prograde-orbit | retrograde-orbit | infalling | boosted" = "coordinate",
                 "frame of the camera: coordinate directions, or an observer: any for black-hole laws; any except `infalling` for metric; static or boosted for wormhole; static, boosted or eulerian for straight";

@@ -21,7 +21,7 @@ use std::collections::BTreeSet;
 use std::path::Path;
 
 /// Scenes that together request every key.
-const KINDS: &[&str] = &[
+pub(super) const KINDS: &[&str] = &[
     "[camera]\nkind = \"orthographic\"\nposition = [1, 2, 3]\nheight = 4\n[law]\nkind = \"lorenz\"\norder = 2\n[rays]\n\
      method = \"rk4-doubling\"\ndoubling = \"paper\"\nbounding_sphere = { radius = 1 }\nsegment = \"chord\"\nmax_parameter = 7\n",
     "[law]\nkind = \"rossler\"\n[rays]\nmethod = \"euler\"\nstep = 1\nbounding_sphere = { radius = 1, center = [1, 2, 3] }\n",
@@ -72,7 +72,7 @@ const KINDS: &[&str] = &[
      frequency = 2, low = [0, 0, 0], high = [1, 1, 1] } }\n\
      [[objects]]\nshape = \"sphere\"\ninterior = { kind = \"constant\", n = 1.5, absorption = { texture = \"ramp\", \
      frequency = 2, ramp = \"none.png\", axis = [0, 1, 0] } }\n",
-    "[rays]\nbounding_sphere = { radius = 9 }\n[ambient]\nfloor = 0.2\n[materials.m]\nkind = \"glossy\"\nexponent = 9\n",
+    "[units]\nlength = \"1 km\"\n[rays]\nbounding_sphere = { radius = 9 }\n[ambient]\nfloor = 0.2\n[materials.m]\nkind = \"glossy\"\nexponent = 9\n",
     "[rays]\nbounding_sphere = { radius = 9 }\nlighting = \"path-tracing\"\n[path_tracing]\nmax_depth = 2\n\
      [[objects]]\nshape = \"sphere\"\ninterior = { kind = \"sellmeier\", b = [1], c = [0.01] }\n",
     "[rays]\nbounding_sphere = { radius = 1 }\n[animation]\nframes = 3\n[[animation.tracks]]\nkey = \"rays.bounding_sphere.radius\"\n\

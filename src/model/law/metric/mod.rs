@@ -29,7 +29,7 @@ pub static KIND: Kind = Kind {
         parameters: "table of numbers" = "{}", "named numbers";
         terms: "table of formulas" = "{}", "named formulas; each may use those before it";
         throat: "number above 0" = "none", "throat radius ρ₀ of a space with two sides, each around its own mouth: r = ρ₀ + |l|; `l` and `dl` give the distance from the throat, negative on the other side";
-        other_mouth (" and throat"): "[x, y, z]" = "required", "position of the mouth on the other side, around which the objects there are placed";
+        other_mouth (" and throat"): "[x, y, z]" = "required", "position of the mouth on the other side, in scene units, around which the objects there are placed";
         capture_condition: "formula < formula" = "where the lapse is below 0.03, unless it changes with t", "condition under which rays are captured";
         time: "number" = "0", "coordinate time t of the image";
         center: "[x, y, z]" = "[0, 0, 0]", "origin of x, y and z";

@@ -6,7 +6,7 @@ use super::{Metric, Throat};
 use crate::assets::{Field, FormulaError, LineElement, Spacetime, Transform};
 use crate::document::Node;
 use crate::document::reader::TableReader;
-use crate::document::values::{number, positive, text, vector};
+use crate::document::values::{angles, number, point, positive_length, text, time};
 
 pub(super) fn read(table: &TableReader) -> Option<Metric> {
     let element = table.required_node("line_element", "\"-dt^2 + dx^2 + dy^2 + dz^2\"");
@@ -14,10 +14,10 @@ pub(super) fn read(table: &TableReader) -> Option<Metric> {
     let captured = table.node("capture_condition");
     let parameters = named(table, "parameters", "law.parameters", &|node| table.reader.accept(number(node)));
     let terms = named(table, "terms", "law.terms", &|node| written(table, node));
-    let rotate = table.or("rotate", DVec3::ZERO, vector);
-    let throat = table.optional("throat", positive);
-    let other = throat.map(|_| table.required("other_mouth", "[1000, 0, 0]", vector));
-    let (time, center) = (table.or("time", 0.0, number), table.or("center", DVec3::ZERO, vector));
+    let rotate = table.or("rotate", DVec3::ZERO, angles);
+    let throat = table.optional("throat", positive_length);
+    let other = throat.map(|_| table.required("other_mouth", "[1000, 0, 0]", point));
+    let (time, center) = (table.or("time", 0.0, time), table.or("center", DVec3::ZERO, point));
     let captured_text = match captured {
         Some(node) => Some(written(table, node)?),
         None => None,
