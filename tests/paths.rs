@@ -207,6 +207,27 @@ fn the_error_is_what_seeds_differ_by() {
     assert!((0.03..1.3).contains(&share), "{share}");
 }
 
+/// The edge of a bright ball has no other noise than that of the sample positions.
+#[test]
+fn seeds_change_the_sample_positions() {
+    let text = "[image]\nsize = [48, 48]\nsamples = 4\n[camera]\nposition = [0, 0, 4]\nfov = 40\n\
+                [rays]\nbounding_sphere = { radius = 9 }\nlighting = \"path-tracing\"\n\
+                [materials.lamp]\nkind = \"emissive\"\ncolor = [1, 1, 1]\n[[objects]]\nshape = \"sphere\"\nmaterial = \"lamp\"\n";
+    let of = |sampler: &str, seed: u32| {
+        let changes = [format!("path_tracing.seed={seed}"), format!("image.sampler={sampler}")];
+        let changes = changes.map(|change| change.parse().unwrap());
+        let scene = Scene::parse(text, std::path::Path::new("test.toml"), &changes).unwrap();
+        rendered(&scene, RenderSettings::default()).band.color[0].clone()
+    };
+    for sampler in ["sobol", "multi-jittered"] {
+        let images = [0, 1, 2].map(|seed| of(sampler, seed));
+        for (a, b) in [(0, 1), (0, 2), (1, 2)] {
+            let other = images[a].iter().zip(&images[b]).filter(|(a, b)| a.to_bits() != b.to_bits()).count();
+            assert!(other > 10, "{sampler}: seeds {a} and {b} differ in {other} pixels");
+        }
+    }
+}
+
 #[test]
 fn shipped_scenes_render() {
     let all = scenes_in("scenes/paths");

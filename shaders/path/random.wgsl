@@ -1,16 +1,6 @@
 // Random numbers of a path: for every use, at every scattering of every sample of a pixel, a point of the unit square. Nothing is stored,
 // and the samples of one use are the Sobol points, shuffled and scrambled (Burley 2020, padding).
 
-struct Transport {
-    // The number of scatterings after which a path is cut.
-    depth: u32,
-    // The number of scatterings after which Russian roulette begins.
-    roulette: u32,
-    seed: u32,
-}
-
-var<uniform> transport: Transport;
-
 // The uses of random points.
 const DIRECTION: u32 = 0u;
 // The choice of a lobe, and of whether the path continues.

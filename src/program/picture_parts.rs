@@ -24,6 +24,11 @@ pub(super) fn camera_parts(scene: &Scene, features: &Features, names: &mut Names
         SamplePattern::MultiJittered => names.add("camera/sample/multi_jittered"),
         SamplePattern::Progressive => names.add("camera/sample/sobol"),
     }
+    names.all(if features.follows_paths {
+        &["camera/sample/seeded", "path/transport"]
+    } else {
+        &["camera/sample/unseeded"]
+    });
     // A scene that is only traced is validated with a default camera.
     let camera = scene.camera.as_ref();
     names.add(camera.map_or("camera/pinhole", |camera| camera.projection.part()));

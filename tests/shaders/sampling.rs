@@ -26,9 +26,14 @@ fn multi_jittered_samples() {
         for pixel in 0..SIDE * SIDE {
             inputs.extend((0..count).map(|s| [Vec4::new((pixel % SIDE) as f32, (pixel / SIDE) as f32, s as f32, 0.0)]));
         }
-        let probe = Probe::new(&["state/loops", "camera/sample/multi_jittered", "camera/sample/point"])
-            .stub(FRAME)
-            .bind("sampling", [vec![("grid", Uint2(grid))]]);
+        let probe = Probe::new(&[
+            "state/loops",
+            "camera/sample/multi_jittered",
+            "camera/sample/point",
+            "camera/sample/unseeded",
+        ])
+        .stub(FRAME)
+        .bind("sampling", [vec![("grid", Uint2(grid))]]);
         let body = "frame.sample = u32(p0.z); put(0u, vec4f(sample_point(vec2u(p0.xy)), 0.0, 0.0));";
         let out = probe.run::<1, 1>(&gpu, body, &inputs);
         let mut patterns = BTreeSet::new();
@@ -104,8 +109,14 @@ fn progressive_samples() {
     let inputs: Vec<[Vec4; 1]> = (0..SIDE * SIDE)
         .flat_map(|i| (0..COUNT).map(move |s| [Vec4::new(pixel(i)[0] as f32, pixel(i)[1] as f32, s as f32, 0.0)]))
         .collect();
-    let probe = Probe::new(&["state/loops", "camera/sample/scrambled", "camera/sample/sobol", "camera/sample/point"])
-        .stub(FRAME);
+    let probe = Probe::new(&[
+        "state/loops",
+        "camera/sample/scrambled",
+        "camera/sample/sobol",
+        "camera/sample/point",
+        "camera/sample/unseeded",
+    ])
+    .stub(FRAME);
     let body = "frame.sample = u32(p0.z); put(0u, vec4f(sample_point(vec2u(p0.xy)) - p0.xy, 0.0, 0.0));";
     let out = probe.run::<1, 1>(&gpu(), body, &inputs);
     let mut patterns = BTreeSet::new();

@@ -1,5 +1,4 @@
-// Correlated multi-jittered samples (Kensler 2013): stratified in both axes and in the plane, without tables. The seed of the pattern is
-// the pixel's position in the whole image, so that tiles and schedules do not show.
+// Correlated multi-jittered samples (Kensler 2013): stratified in both axes and in the plane, without tables.
 
 struct Sampling {
     // The columns and rows of the pattern; their product is at least the number of samples.
@@ -50,7 +49,7 @@ fn unit_random(seed: u32) -> f32 {
 }
 
 fn nth_point(pixel: vec2u, n: u32) -> vec2f {
-    let seed = (pixel.x * 0x9e3779b1u) ^ (pixel.y * 0x85ebca77u);
+    let seed = pattern_seed(pixel);
     let s = permuted(n, sampling.grid.x * sampling.grid.y, seed * 0x51633e2du);
     let column = s % sampling.grid.x;
     let row = s / sampling.grid.x;
