@@ -40,9 +40,8 @@ const COMPUTED: [(&str, &[(&str, &str)]); 6] = [
         ],
     ),
     (
-        "\"segment/ray\", &self.name().to_uppercase()",
+        "\"segment/ray\", &status.name().to_uppercase()",
         &[
-            ("segment/ray", "ALIVE"),
             ("segment/ray", "HIT"),
             ("segment/ray", "ESCAPED"),
             ("segment/ray", "CAPTURED"),

@@ -196,7 +196,8 @@ impl Gpu {
     pub(crate) fn wait(&self, submission: SubmissionIndex) -> Result<(), GpuError> {
         self.traffic[1].fetch_add(1, Relaxed);
         let wait = PollType::Wait { submission_index: Some(submission), timeout: None };
-        self.device.poll(wait).map(|_| ()).map_err(|error| GpuError::Lost(error.to_string()))
+        self.device.poll(wait).map_err(|error| GpuError::Lost(error.to_string()))?;
+        if self.progress.is_cancelled() { Err(GpuError::Cancelled) } else { Ok(()) }
     }
 
     /// Returns the numbers of submissions and of waits for their ends since the device was opened.

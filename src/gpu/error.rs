@@ -99,6 +99,9 @@ pub enum GpuError {
         /// The driver's message.
         reason: String,
     },
+    /// The work was cancelled ([`Progress::cancel`](crate::progress::Progress::cancel)).
+    #[error("the work was cancelled")]
+    Cancelled,
     /// The device stopped answering.
     #[error("the device stopped responding: {0}")]
     Lost(String),

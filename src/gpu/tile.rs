@@ -191,9 +191,12 @@ impl Tile {
         Ok(())
     }
 
-    /// Adds a buffer that contains `bytes`.
+    /// Adds a buffer that contains `bytes`, or overwrites one of this size.
     pub(crate) fn add_input(&mut self, gpu: &Gpu, role: &Role, bytes: &[u8]) -> Result<(), GpuError> {
-        self.add_storage(gpu, role, bytes.len() as u64)?;
+        let size = bytes.len() as u64;
+        if self.buffer(role).is_none_or(|buffer| buffer.size() != size) {
+            self.add_storage(gpu, role, size)?;
+        }
         self.write(gpu, role, 0, bytes);
         Ok(())
     }

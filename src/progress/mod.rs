@@ -26,6 +26,7 @@ pub struct Progress(Option<Arc<Mutex<Stages>>>);
 struct Stages {
     open: Vec<Arc<Open>>,
     opened: u64,
+    is_cancelled: bool,
 }
 
 /// An open stage.
@@ -84,6 +85,28 @@ impl Progress {
     /// Opens a stage of `units` units that makes up `span` units of the enclosing stage.
     pub fn part(&self, name: impl Into<Cow<'static, str>>, units: f64, span: f64) -> Stage {
         self.open(name.into(), units, false, span)
+    }
+
+    /// Asks the work to stop soon with an error; only work that checks [`is_cancelled`](Self::is_cancelled) does.
+    pub fn cancel(&self) {
+        self.set_cancelled(true);
+    }
+
+    /// Withdraws [`cancel`](Self::cancel), for further work.
+    pub fn resume(&self) {
+        self.set_cancelled(false);
+    }
+
+    /// Returns `true` if the work should stop.
+    #[must_use]
+    pub fn is_cancelled(&self) -> bool {
+        self.stages().is_some_and(|stages| stages.is_cancelled)
+    }
+
+    fn set_cancelled(&self, is_cancelled: bool) {
+        if let Some(mut stages) = self.stages() {
+            stages.is_cancelled = is_cancelled;
+        }
     }
 
     fn open(&self, name: Cow<'static, str>, units: f64, counted: bool, span: f64) -> Stage {

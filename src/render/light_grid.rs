@@ -239,7 +239,7 @@ impl Maker<'_> {
         while first < aim.paths() {
             let batch = first..aim.paths().min(first + BATCH as u32);
             let rays: Vec<[f64; 6]> = batch.clone().into_par_iter().map(|k| emission.path(k, aim.point(k))).collect();
-            let (mut tile, mut sample) = ray_tile(&self.prepared, &rays)?;
+            let (mut tile, mut sample) = ray_tile(&self.prepared, None, &rays)?;
             // The random numbers of a path depend on its index in its batch, and on this number.
             sample.number = first / BATCH as u32;
             tile.add_input(gpu, &Role::LightVolume, &row)?;

@@ -129,7 +129,7 @@ impl<'a> LightTracer<'a> {
             let row = |pair: Option<&[DVec3; 2]>| pair.map_or([0.0; 6], |[x, s]| [x.x, x.y, x.z, s.x, s.y, s.z]);
             let rows = batch.chunks(abreast).map(|pairs| (0..abreast).map(|i| row(pairs.get(i))).collect::<Vec<_>>());
             let rays: Vec<[f64; 6]> = rows.flat_map(|pairs| pairs.repeat(each)).collect();
-            let (tile, sample) = ray_tile(prepared, &rays)?;
+            let (tile, sample) = ray_tile(prepared, None, &rays)?;
             prepared.run_sample(&tile, sample, &mut clock, &|_| {})?;
             prepared.read_tally(&tile, &mut totals, None)?;
             let path = |row: Row| {

@@ -54,7 +54,7 @@ pub fn trace_paths(
             scene.rays.precision = Precision::Double;
         }
     }
-    let Tracer { mut prepared } =
+    let Tracer { mut prepared, .. } =
         Tracer::new(gpu, &scene, RenderSettings { options, ..settings.clone() }, Mode::Trace)?;
     let batch = (PATH_RECORDS / (scene.rays.max_segments as usize + 1)).clamp(1, BATCH);
     let mut paths = Vec::with_capacity(rays.len());
@@ -98,8 +98,9 @@ pub fn pixel_starts(
     let options = ProgramOptions { schedule: Schedule::Segment, masks: RaySkipping::Off, ..ProgramOptions::default() };
     let mut scene = scene.clone();
     scene.image.samples = 1;
-    let Tracer { prepared } = Tracer::new(gpu, &scene, RenderSettings { options, ..settings.clone() }, Mode::Pixels)?;
-    let (tile, sample) = pixel_tile(&prepared, pixels, ROW)?;
+    let Tracer { prepared, .. } =
+        Tracer::new(gpu, &scene, RenderSettings { options, ..settings.clone() }, Mode::Pixels)?;
+    let (tile, sample) = pixel_tile(&prepared, None, pixels, ROW)?;
     let steps = &prepared.plan.steps;
     let started = steps.iter().filter(|step| matches!(step.pass, Pass::Setup | Pass::Record)).copied();
     prepared.run_steps(&tile, sample, &started.collect::<Vec<_>>())?;
@@ -122,7 +123,7 @@ fn trace_batch_paths(prepared: &mut Prepared, batch: &[[f64; 6]]) -> Result<Vec<
 
 fn try_batch_paths(prepared: &Prepared, batch: &[[f64; 6]]) -> Result<Vec<Path>, RenderError> {
     let plan = &prepared.plan;
-    let (tile, sample) = ray_tile(prepared, batch)?;
+    let (tile, sample) = ray_tile(prepared, None, batch)?;
     let law = prepared.scene.law.facts();
     let begun = |ray: &[f64; 6]| {
         let Traced { x, v, tau, .. } = captured_at(ray);
@@ -142,7 +143,9 @@ fn try_batch_paths(prepared: &Prepared, batch: &[[f64; 6]]) -> Result<Vec<Path>,
             let begun = paths.iter_mut().zip(starts).filter(|((status, _), _)| *status == Status::Alive);
             begun.for_each(|((_, points), (_, start))| points.push(start));
         }
-        for ((status, points), ray) in paths.iter_mut().zip(read_records(prepared, &tile, batch.len())?) {
+        let mut ends = Vec::new();
+        read_records(prepared, &tile, batch.len(), &mut ends)?;
+        for ((status, points), ray) in paths.iter_mut().zip(ends) {
             if *status != Status::Alive {
                 continue;
             }

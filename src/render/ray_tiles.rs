@@ -1,20 +1,23 @@
 //! Creates tiles whose pixels are single rays: writes their starts, and reads their records.
 
 use glam::DVec3;
+use rayon::prelude::*;
 
 use super::prepared::Prepared;
 use super::records::{Records, Row};
 use super::sample::Sample;
 use super::{PathPoint, RenderError, Status, Traced};
-use crate::gpu::{Tile, pack};
+use crate::gpu::{GpuError, Tile, pack};
 use crate::model::Object;
 use crate::model::Value::Vec3;
 use crate::model::law::LawProperties;
-use crate::program::{Regions, Role};
+use crate::program::{Layout, Regions, Role};
 use crate::scene::Scene;
 
 /// The number of rays in one batch.
 pub(super) const BATCH: usize = 1 << 18;
+/// The smallest number of rays that a thread of the host converts at once.
+const FEW: usize = 1 << 12;
 /// The number of rays in one row of the state's textures.
 pub(super) const ROW: u32 = 1024;
 
@@ -29,13 +32,14 @@ pub(super) fn captured_at(ray: &[f64; 6]) -> Traced {
     Traced { status: Status::Captured, x, v, tau: 0.0, segments: 0.0, steps: 0, rejected: 0, object: None }
 }
 
-/// Creates a tile with one pixel per ray.
-pub(super) fn ray_tile(prepared: &Prepared, batch: &[[f64; 6]]) -> Result<(Tile, Sample), RenderError> {
-    let row = |ray: &[f64; 6]| {
-        [("x", Vec3(DVec3::new(ray[0], ray[1], ray[2]))), ("v", Vec3(DVec3::new(ray[3], ray[4], ray[5])))]
-    };
-    let bytes = pack("given", prepared.layout(&Role::Given)?, batch.iter().map(row))?;
-    let mut tile = list_tile(prepared, batch.len(), ROW, &Role::Given, &bytes)?;
+/// Returns a tile with one pixel per ray: an earlier one of the same program with other rays, if it is like it, or a new one.
+pub(super) fn ray_tile(
+    prepared: &Prepared,
+    earlier: Option<Tile>,
+    batch: &[[f64; 6]],
+) -> Result<(Tile, Sample), RenderError> {
+    let bytes = packed(prepared.layout(&Role::Given)?, batch)?;
+    let mut tile = list_tile((prepared, earlier), batch.len(), ROW, &Role::Given, &bytes)?;
     if prepared.program.layout(&Role::GivenSets).is_some() {
         let meshes = closed_meshes(&prepared.scene, &prepared.regions);
         let mut sets: Vec<u32> = Vec::with_capacity(batch.len());
@@ -48,6 +52,28 @@ pub(super) fn ray_tile(prepared: &Prepared, batch: &[[f64; 6]]) -> Result<(Tile,
     }
     let image = tile.size;
     Ok((tile, Sample::first(image)))
+}
+
+/// Returns rays as the device reads them. The first is packed and checked like all other values, and the others like the first.
+fn packed(layout: &Layout, batch: &[[f64; 6]]) -> Result<Vec<u8>, GpuError> {
+    let row = |ray: &[f64; 6]| {
+        [("x", Vec3(DVec3::new(ray[0], ray[1], ray[2]))), ("v", Vec3(DVec3::new(ray[3], ray[4], ray[5])))]
+    };
+    let first = pack("given", layout, batch.iter().take(1).map(row))?;
+    let places = ["x", "v"].map(|name| layout.field(name).map_or((0, 0), |f| (f.offset as usize, f.width as usize)));
+    let mut bytes = vec![0; batch.len() * layout.span as usize];
+    bytes.par_chunks_exact_mut(layout.span as usize).zip(batch).with_min_len(FEW).for_each(|(bytes, ray)| {
+        for ((offset, width), values) in places.into_iter().zip(ray.chunks_exact(3)) {
+            for (scalar, value) in bytes[offset..].chunks_exact_mut(width.max(1)).zip(values) {
+                match width {
+                    8 => scalar.copy_from_slice(&value.to_ne_bytes()),
+                    _ => scalar.copy_from_slice(&(*value as f32).to_ne_bytes()),
+                }
+            }
+        }
+    });
+    debug_assert!(bytes.starts_with(&first));
+    Ok(bytes)
 }
 
 /// A mesh that rays may start in: its bit in the set of regions, the object, and the corners of its box.
@@ -67,35 +93,56 @@ fn starting_set(meshes: &[ClosedMesh], ray: &[f64; 6]) -> u32 {
     inside.fold(0, |set, (bit, ..)| set | 1 << bit)
 }
 
-/// Creates a tile whose pixels represent chosen pixels of the image.
-pub(super) fn pixel_tile(prepared: &Prepared, batch: &[[u32; 2]], row: u32) -> Result<(Tile, Sample), RenderError> {
-    let tile = list_tile(prepared, batch.len(), row, &Role::Chosen, bytemuck::cast_slice(batch))?;
+/// Returns a tile whose pixels represent chosen pixels of the image, like [`ray_tile`].
+pub(super) fn pixel_tile(
+    prepared: &Prepared,
+    earlier: Option<Tile>,
+    batch: &[[u32; 2]],
+    row: u32,
+) -> Result<(Tile, Sample), RenderError> {
+    let tile = list_tile((prepared, earlier), batch.len(), row, &Role::Chosen, bytemuck::cast_slice(batch))?;
     Ok((tile, Sample::first(prepared.scene.image.size)))
 }
 
-/// Creates a tile with rows of `row` pixels, a list of their inputs, and space for their records.
-fn list_tile(prepared: &Prepared, count: usize, row: u32, role: &Role, list: &[u8]) -> Result<Tile, RenderError> {
+/// Returns a tile with rows of `row` pixels, a list of their inputs, and space for their records.
+fn list_tile(
+    (prepared, earlier): (&Prepared, Option<Tile>),
+    count: usize,
+    row: u32,
+    role: &Role,
+    list: &[u8],
+) -> Result<Tile, RenderError> {
     let width = row.min(count as u32).max(1);
     let size = [width, (count as u32).div_ceil(width).max(1)];
-    let mut tile = prepared.tile(size)?;
+    let mut tile = prepared.tile_after(earlier, size)?;
     tile.add_input(prepared.gpu, role, list)?;
     let records = u64::from(prepared.layout(&Role::Records)?.span) * u64::from(size[0]) * u64::from(size[1]);
     tile.add_storage(prepared.gpu, &Role::Records, records)?;
     Ok(tile)
 }
 
-pub(super) fn read_records(prepared: &Prepared, tile: &Tile, count: usize) -> Result<Vec<Traced>, RenderError> {
-    let traced = |row: Row| Traced {
-        status: Status::from_code(row.uint("status")),
-        x: row.vector("x"),
-        v: row.vector("v"),
-        tau: row.float("tau"),
-        segments: row.float("segments"),
-        steps: row.uint("steps"),
-        rejected: row.uint("rejected"),
-        object: row.uint("object").checked_sub(1),
+/// Appends the ends of rays to `traced`.
+pub(super) fn read_records(
+    prepared: &Prepared,
+    tile: &Tile,
+    count: usize,
+    traced: &mut Vec<Traced>,
+) -> Result<(), RenderError> {
+    let records = Records::read(prepared.gpu, &prepared.program, tile, &Role::Records)?;
+    let [status, x, v, tau, segments, steps, rejected, object] =
+        ["status", "x", "v", "tau", "segments", "steps", "rejected", "object"].map(|name| records.field(name));
+    let end = |row: Row| Traced {
+        status: Status::from_code(row.word(status)),
+        x: row.numbers(x),
+        v: row.numbers(v),
+        tau: row.numbers::<1>(tau)[0],
+        segments: row.numbers::<1>(segments)[0],
+        steps: row.word(steps),
+        rejected: row.word(rejected),
+        object: row.word(object).checked_sub(1),
     };
-    Ok(Records::read(prepared.gpu, &prepared.program, tile, &Role::Records)?.rows().take(count).map(traced).collect())
+    traced.par_extend(records.par_rows().take(count).with_min_len(FEW).map(end));
+    Ok(())
 }
 
 /// Returns the start and the status of each ray after the setup alone, which already determines the end of some rays.

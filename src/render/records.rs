@@ -1,8 +1,13 @@
 //! Reads the values that passes write for the host, by their names in WGSL.
 
+use rayon::prelude::*;
+
 use super::readback::{Bytes, read_buffers};
 use crate::gpu::{Gpu, GpuError, Tile};
 use crate::program::{Field, Layout, Program, Role};
+
+/// The layout of the records that a program does not write.
+static NO_LAYOUT: Layout = Layout { fields: Vec::new(), span: 1, count: None };
 
 /// The structs of a buffer.
 pub(super) struct Records<'a> {
@@ -46,6 +51,12 @@ impl<'a> Records<'a> {
             let rows = self.bytes().chunks_exact(layout.span as usize);
             rows.map(move |bytes| Row { layout, bytes })
         })
+    }
+
+    pub(super) fn par_rows(&self) -> impl IndexedParallelIterator<Item = Row<'_>> {
+        // Without a layout there are no bytes.
+        let layout = self.layout.unwrap_or(&NO_LAYOUT);
+        self.bytes().par_chunks_exact(layout.span as usize).map(move |bytes| Row { layout, bytes })
     }
 
     /// Returns the number of structs.
@@ -101,6 +112,17 @@ impl Row<'_> {
     pub(super) fn words<const N: usize>(&self, field: &Field) -> [u32; N] {
         let mut words = self.bytes_of(field).map(|bytes| bytes.try_into().map_or(0, u32::from_ne_bytes));
         [(); N].map(|()| words.next().unwrap_or(0))
+    }
+
+    /// Returns the first word of a member; 0 if there is no such member.
+    pub(super) fn word(&self, field: Option<&Field>) -> u32 {
+        field.map_or(0, |field| self.words::<1>(field)[0])
+    }
+
+    /// Returns the first numbers of a member; NaN if there is no such member.
+    pub(super) fn numbers<const N: usize>(&self, field: Option<&Field>) -> [f64; N] {
+        let mut scalars = field.into_iter().flat_map(|field| self.bytes_of(field)).map(float);
+        [(); N].map(|()| scalars.next().unwrap_or(f64::NAN))
     }
 
     pub(super) fn uint(&self, name: &str) -> u32 {

@@ -33,6 +33,13 @@ pub enum Status {
     Outside,
 }
 
+/// The code of each end, and of a ray that missed everything; read from the WGSL once, because a trace looks up every ray.
+static CODES: LazyLock<Vec<(u32, Status)>> = LazyLock::new(|| {
+    let code = |status: Status| constant("segment/ray", &status.name().to_uppercase()) as u32;
+    let missed = (constant("segment/ray", "MISSED") as u32, Status::Escaped);
+    Status::ENDS.into_iter().map(|status| (code(status), status)).chain([missed]).collect()
+});
+
 impl Status {
     /// Every status of a terminated ray.
     pub const ENDS: [Self; 9] = [
@@ -50,18 +57,13 @@ impl Status {
     /// Returns the status with a code of `shaders/segment/ray.wgsl`.
     #[must_use]
     pub fn from_code(code: u32) -> Self {
-        // The codes are read from the WGSL once, because a trace looks up every ray.
-        static CODES: LazyLock<Vec<(u32, Status)>> = LazyLock::new(|| {
-            let missed = (constant("segment/ray", "MISSED") as u32, Status::Escaped);
-            Status::ENDS.into_iter().map(|status| (status.code(), status)).chain([missed]).collect()
-        });
         CODES.iter().find(|(known, _)| *known == code).map_or(Self::Alive, |(_, status)| *status)
     }
 
     /// Returns the code in `shaders/segment/ray.wgsl`, which output files use too.
     #[must_use]
     pub fn code(self) -> u32 {
-        constant("segment/ray", &self.name().to_uppercase()) as u32
+        CODES.iter().find(|(_, status)| *status == self).map_or(0, |(code, _)| *code)
     }
 
     /// Returns the name in output.

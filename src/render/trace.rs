@@ -7,7 +7,7 @@ use super::prepared::Prepared;
 use super::ray_tiles::{BATCH, ROW, captured_at, is_swallowed, pixel_tile, ray_tile, read_records};
 use super::tile::TileEnd;
 use super::{RenderError, RenderSettings, Status, Totals, Traced};
-use crate::gpu::{Gpu, GpuError};
+use crate::gpu::{Gpu, GpuError, Tile};
 use crate::model::Control;
 use crate::program::Mode;
 use crate::scene::Scene;
@@ -104,6 +104,8 @@ pub fn trace_pixels(
 #[derive(Debug)]
 pub struct Tracer<'a> {
     pub(super) prepared: Prepared<'a>,
+    /// The tile of the previous rays, for the next ones.
+    tile: Option<Tile>,
 }
 
 impl<'a> Tracer<'a> {
@@ -128,10 +130,23 @@ impl<'a> Tracer<'a> {
     /// }
     /// # Ok::<(), bentray::render::RenderError>(())
     /// ```
-    pub fn new(gpu: &'a Gpu, scene: &'a Scene, mut settings: RenderSettings, mode: Mode) -> Result<Self, RenderError> {
+    pub fn new(gpu: &'a Gpu, scene: &'a Scene, settings: RenderSettings, mode: Mode) -> Result<Self, RenderError> {
+        Self::of(gpu, Cow::Borrowed(scene), settings, mode)
+    }
+
+    /// Creates a tracer like [`new`](Self::new), which owns its scene.
+    ///
+    /// # Errors
+    ///
+    /// Returns the errors of [`new`](Self::new).
+    pub fn keeping(gpu: &'a Gpu, scene: Scene, settings: RenderSettings, mode: Mode) -> Result<Self, RenderError> {
+        Self::of(gpu, Cow::Owned(scene), settings, mode)
+    }
+
+    fn of(gpu: &'a Gpu, scene: Cow<'a, Scene>, mut settings: RenderSettings, mode: Mode) -> Result<Self, RenderError> {
         settings.options.mode = mode;
         settings.options.layers.clear();
-        Ok(Self { prepared: Prepared::new(gpu, Cow::Borrowed(scene), settings, LightGrids::default())? })
+        Ok(Self { prepared: Prepared::new(gpu, scene, settings, LightGrids::default())?, tile: None })
     }
 
     /// Changes the parameters of the step control and the maximum number of segments of a path. The kind of control stays, and no pass is
@@ -161,19 +176,23 @@ impl<'a> Tracer<'a> {
         while traced.len() < count {
             let part = traced.len()..count.min(traced.len() + BATCH);
             let (tile, sample) = match starts {
-                Starts::Given(rays) => ray_tile(prepared, &rays[part.clone()])?,
-                Starts::Pixels(pixels, row) => pixel_tile(prepared, &pixels[part.clone()], row)?,
+                Starts::Given(rays) => ray_tile(prepared, self.tile.take(), &rays[part.clone()])?,
+                Starts::Pixels(pixels, row) => pixel_tile(prepared, self.tile.take(), &pixels[part.clone()], row)?,
             };
             let told = |done: f64| stage.reach(part.start as f64 + done * part.len() as f64);
             prepared.run_sample(&tile, sample, &mut clock, &told)?;
-            if prepared.read_tally(&tile, &mut totals, None)? == TileEnd::Done {
-                traced.extend(read_records(prepared, &tile, part.len())?);
+            if prepared.read_tally(&tile, &mut totals, None)? != TileEnd::Done {
+                continue;
             }
-            if let Starts::Given(rays) = starts {
+            read_records(prepared, &tile, part.len(), &mut traced)?;
+            let law = prepared.scene.law.facts();
+            if let Starts::Given(rays) = starts
+                && law.swallows.is_some()
+            {
                 let ends = traced[part.start..].iter_mut().zip(&rays[part.start..]);
-                let law = prepared.scene.law.facts();
                 ends.filter(|(_, ray)| is_swallowed(&law, ray)).for_each(|(end, ray)| *end = captured_at(ray));
             }
+            self.tile = Some(tile);
         }
         prepared.finish_totals(&mut totals, &clock, started)?;
         // The last row of the state is padded with pixels that have no ray.
@@ -184,6 +203,44 @@ impl<'a> Tracer<'a> {
 }
 
 fn count_by_status(traced: &[Traced]) -> Vec<(Status, u64)> {
-    let count = |status: Status| traced.iter().filter(|ray| ray.status == status).count() as u64;
-    std::iter::once(Status::Alive).chain(Status::ENDS).map(|s| (s, count(s))).filter(|(_, n)| *n > 0).collect()
+    let all = std::iter::once(Status::Alive).chain(Status::ENDS);
+    let mut counts: Vec<(Status, u64)> = all.map(|status| (status, 0)).collect();
+    for ray in traced {
+        if let Some((_, count)) = counts.iter_mut().find(|(status, _)| *status == ray.status) {
+            *count += 1;
+        }
+    }
+    counts.retain(|(_, count)| *count > 0);
+    counts
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::program::{ProgramOptions, Schedule};
+
+    /// A tracer keeps its tile, whose old contents must not show.
+    #[test]
+    fn later_rays_end_as_in_a_new_tracer() {
+        let gpu = Gpu::open(None).unwrap();
+        let text = "[law]\nkind = \"schwarzschild\"\n[rays]\nmethod = \"rk4\"\nbounding_sphere = { radius = 30 }\n\
+                    [materials.m]\nkind = \"mirror\"\n[[objects]]\nshape = \"sphere\"\nmaterial = \"m\"\ncenter = [9, 0, 0]\n\
+                    [[objects]]\nshape = \"sphere\"\ninterior = 1.5\ncenter = [-9, 0, 0]\nradius = 3\n";
+        let scene = Scene::parse(text, std::path::Path::new("test.toml"), &[]).unwrap();
+        let rays = |angle: f64| -> Vec<[f64; 6]> {
+            let ray = |i: i32| [-20.0, f64::from(i) / 8.0, angle, 1.0, angle * f64::from(i), 0.0];
+            (-100..100).map(ray).collect()
+        };
+        for schedule in Schedule::ALL {
+            let options = ProgramOptions { schedule, ..ProgramOptions::default() };
+            let settings = RenderSettings { options, ..RenderSettings::default() };
+            let mut kept = Tracer::new(&gpu, &scene, settings.clone(), Mode::Trace).unwrap();
+            for angle in [0.0, 0.01, 0.002, 0.0] {
+                let rays = rays(angle);
+                let (ends, _) = kept.follow(Starts::Given(&rays)).unwrap();
+                let (fresh, _) = trace(&gpu, &scene, &settings, &rays).unwrap();
+                assert!(ends == fresh, "{schedule:?}, {angle}");
+            }
+        }
+    }
 }
