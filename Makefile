@@ -1,9 +1,9 @@
-# `make render`: an image on a fresh machine. `make gallery`: the figures of scenes/thesis, scenes/groller, scenes/paths and scenes/spacetimes, with a page. `make manual`: the manual as a web site. `make test`: every check. `make fuzz`: a search for inputs that make a reader fail. `make release`: an archive of the program.
+# `make render`: an image on a fresh machine. `make gallery`: the figures of scenes/thesis, scenes/groller, scenes/paths and scenes/spacetimes, with a page. `make manual`: the manual as a web site. `make test`: every check. `make python`: the Python package. `make fuzz`: a search for inputs that make a reader fail. `make release`: an archive of the program.
 
 SHELL := /bin/bash
 .SHELLFLAGS := -euo pipefail -c
 
-.PHONY: render gallery manual test fuzz fuzz-lines fuzz-program release device tools clean
+.PHONY: render gallery manual test python fuzz fuzz-lines fuzz-program release device tools clean
 
 render: device
 	cargo build --release
@@ -28,8 +28,8 @@ TESTS_AT_ONCE := $(shell echo $$(($$(getconf _NPROCESSORS_ONLN) + 1)))
 # The last line counts the tests, whatever failed. A test that needs another program has the program's name at the end of its own, is
 # ignored by a plain `cargo test`, and is skipped here only without that program.
 test: device tools
-	cargo fmt --check
-	cargo clippy --all-targets -- -D warnings
+	cargo fmt --all --check
+	cargo clippy --workspace --all-targets -- -D warnings
 	RUSTDOCFLAGS="-D warnings" cargo doc --no-deps
 	mkdir -p target
 	: >target/test.log
@@ -53,6 +53,17 @@ test: device tools
 	awk '/^test result:/ { passed += $$4; failed += $$6; skipped += $$8 + $$12 } \
 	    END { printf "%d passed, %d failed, %d skipped\n", passed, failed, skipped }' target/test.log; \
 	exit $$status
+
+# The Python package as a wheel in target/wheels, and its tests, in a virtual environment of their own.
+PYTHON := target/python-wheel
+
+python: device
+	[ -x $(PYTHON)/bin/python ] || { python3 -m venv $(PYTHON) && $(PYTHON)/bin/pip install -q maturin numpy matplotlib pytest; }
+	cargo build --release
+	rm -rf target/wheels
+	$(PYTHON)/bin/maturin build -q --release -m python/Cargo.toml --out target/wheels
+	$(PYTHON)/bin/pip install -q --force-reinstall --no-deps target/wheels/*.whl
+	BENTRAY=$$PWD/target/release/bentray $(PYTHON)/bin/pytest -q -p no:cacheprovider python/tests
 
 # Searches for files that make a reader fail, for SECONDS_EACH seconds per reader of tests/fuzz, or for RUNS inputs. Failing inputs are
 # saved in target/fuzz/found. READERS="obj ply" selects readers. It needs a C++ compiler.

@@ -1,0 +1,96 @@
+from collections.abc import Mapping, Sequence
+from enum import IntEnum
+from os import PathLike
+from typing import Any, Optional, Union
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+__version__: str
+
+class SceneError(ValueError):
+    """A scene is invalid. `errors` has one dict for each error."""
+
+    errors: list[dict[str, Any]]
+
+class DeviceError(RuntimeError):
+    """No device can render, or the device failed."""
+
+class RenderError(RuntimeError):
+    """A render failed."""
+
+class Status(IntEnum):
+    """The codes of the array `status`: how a ray ended."""
+
+    HIT = 1
+    ESCAPED = 2
+    CAPTURED = 3
+    ENDED = 4
+    EXHAUSTED = 5
+    STALLED = 6
+    FAILED = 7
+    OUTSIDE = 9
+    CUT = 10
+
+def devices() -> list[str]:
+    """Return the names of the devices that can render, best first."""
+
+class Scene:
+    """A scene, with its program on a device.
+
+    `source` is the text of a scene file, or a dict with the same tables and keys. Files that it names are relative to `folder`.
+    `device` selects a device by a part of its name.
+    """
+
+    def __init__(
+        self,
+        source: Union[str, Mapping[str, Any]],
+        *,
+        folder: Optional[Union[str, PathLike[str]]] = None,
+        device: Optional[str] = None,
+    ) -> None: ...
+    @staticmethod
+    def load(path: Union[str, PathLike[str]], *, device: Optional[str] = None) -> Scene:
+        """Return the scene of a file."""
+
+    def set(self, changes: Mapping[str, Any]) -> None:
+        """Change keys of the scene, such as `{"camera.fov": 30}`; `None` removes a key.
+
+        The next render compiles nothing if the scene needs the same program, and keeps the integration method.
+        """
+
+    def render(
+        self,
+        *,
+        size: Optional[tuple[int, int]] = None,
+        samples: Optional[int] = None,
+        layers: Optional[Sequence[str]] = None,
+    ) -> dict[str, NDArray[Any]]:
+        """Return an image: arrays by the names of layers, with the first row at the top.
+
+        `color` has the shape (height, width, 3) and is linear; `alpha` is there if the image has any. `layers` lists other layers,
+        such as `depth` and `redshift`. `size` and `samples` replace those of the scene.
+        """
+
+    def trace(self, x: ArrayLike, v: ArrayLike, *, paths: bool = False) -> dict[str, Any]:
+        """Follow rays to their ends, backward in time: light arrives from the direction `v`.
+
+        `x` and `v` are positions and velocities of the shape (rays, 3), or (3,) for all rays. Returns `status`, `x`, `v`, `tau`,
+        `segments`, `steps`, `rejected` and `object`, which is -1 for none. With `paths`, it also returns `paths`, a list with the
+        points of each ray's path as an array of the shape (points, 3).
+        """
+
+    @property
+    def size(self) -> tuple[int, int]:
+        """The width and height of the image."""
+
+    @property
+    def method(self) -> Optional[str]:
+        """The integration method, once it is chosen."""
+
+    @property
+    def toml(self) -> str:
+        """The text of the scene, without later changes."""
+
+    def png(self) -> bytes:
+        """Return the image as a PNG, with the exposure and tone map of the scene."""

@@ -1,0 +1,219 @@
+//! The class `Scene`.
+
+use std::path::{Path, PathBuf};
+use std::sync::{Mutex, MutexGuard};
+
+use bentray::output::{FileSettings, open as open_image};
+use bentray::program::Layer;
+use bentray::render::Band;
+use bentray::scene::{Files, Override, Rays, Scene as Checked, SceneError};
+use pyo3::exceptions::PyValueError;
+use pyo3::prelude::*;
+use pyo3::sync::MutexExt;
+use pyo3::types::{PyBytes, PyDict, PyMapping, PyString};
+
+use crate::arrays::{self, Ends};
+use crate::device::open;
+use crate::errors::{RenderError as Failed, render_error, scene_error};
+use crate::state::State;
+use crate::values;
+
+/// A scene, with its program on a device.
+#[pyclass(module = "bentray", frozen)]
+pub struct Scene {
+    text: String,
+    /// The name of the scene in errors; its files are relative to the folder.
+    path: PathBuf,
+    device: Option<String>,
+    state: Mutex<State>,
+}
+
+#[pymethods]
+impl Scene {
+    #[new]
+    #[pyo3(signature = (source, *, folder = None, device = None))]
+    fn new(source: &Bound<PyAny>, folder: Option<PathBuf>, device: Option<String>) -> PyResult<Self> {
+        let text = match source.cast::<PyString>() {
+            Ok(text) => text.extract()?,
+            Err(_) => values::table(source)?.to_string(),
+        };
+        Self::of(source.py(), text, folder.unwrap_or_default().join("scene"), device)
+    }
+
+    /// Returns the scene of a file.
+    #[staticmethod]
+    #[pyo3(signature = (path, *, device = None))]
+    fn load(py: Python, path: PathBuf, device: Option<String>) -> PyResult<Self> {
+        let text = match std::fs::read(&path) {
+            Ok(bytes) => String::from_utf8(bytes)
+                .map_err(|_| PyValueError::new_err(format!("{}: the file is not valid UTF-8", path.display())))?,
+            Err(source) => return Err(scene_error(py, &SceneError::Read { path, source })),
+        };
+        Self::of(py, text, path, device)
+    }
+
+    /// Changes keys of the scene, such as `{"camera.fov": 30}`; `None` removes a key.
+    fn set(&self, py: Python, changes: &Bound<PyMapping>) -> PyResult<()> {
+        let mut state = self.state(py);
+        let mut all = state.changes.clone();
+        for item in changes.items()? {
+            let (key, value): (String, Bound<PyAny>) = item.extract()?;
+            let value = if value.is_none() { String::new() } else { values::toml(&value, &key)?.to_string() };
+            let change: Override = format!("{key}={value}").parse().map_err(|error| scene_error(py, &error))?;
+            all.retain(|(other, _)| *other != key);
+            all.push((key, change));
+        }
+        let scene = self.checked(&mut state.files, &all).map_err(|error| scene_error(py, &error))?;
+        (state.changes, state.scene, state.tracer) = (all, scene, None);
+        Ok(())
+    }
+
+    /// Returns an image: arrays by the names of layers.
+    #[pyo3(signature = (*, size = None, samples = None, layers = None))]
+    fn render<'py>(
+        &self,
+        py: Python<'py>,
+        size: Option<[u32; 2]>,
+        samples: Option<u32>,
+        layers: Option<Vec<String>>,
+    ) -> PyResult<Bound<'py, PyDict>> {
+        let layers = layers.unwrap_or_default().iter().map(|name| layer(name)).collect::<PyResult<Vec<Layer>>>()?;
+        let (band, _) = self.image(py, size, samples, &layers)?;
+        arrays::image(py, band, &layers)
+    }
+
+    /// Follows rays to their ends.
+    #[pyo3(signature = (x, v, *, paths = false))]
+    fn trace<'py>(
+        &self,
+        py: Python<'py>,
+        x: &Bound<'py, PyAny>,
+        v: &Bound<'py, PyAny>,
+        paths: bool,
+    ) -> PyResult<Bound<'py, PyDict>> {
+        let rays = arrays::rays(x, v)?;
+        let device = open(self.device.as_deref())?;
+        let mut guard = self.state(py);
+        let state = &mut *guard;
+        let ends = device.run(py, || state.follow(device, &rays).map(|ends| Ends::of(&ends)))?;
+        let found = ends.map_err(render_error)?.arrays(py)?;
+        if paths {
+            let followed = device.run(py, || state.paths(device, &rays))?.map_err(render_error)?;
+            found.set_item("paths", arrays::points(py, followed)?)?;
+        }
+        Ok(found)
+    }
+
+    /// Returns the image as a PNG, with the exposure and tone map of the scene.
+    fn png<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyBytes>> {
+        let (band, scene) = self.image(py, None, None, &[])?;
+        let failed = |error: &dyn std::fmt::Display| Failed::new_err(error.to_string());
+        let folder = tempfile::tempdir().map_err(|error| failed(&error))?;
+        let path = folder.path().join("image.png");
+        let settings = FileSettings {
+            exposure: scene.output.exposure,
+            tonemap: scene.output.tonemap,
+            bits: scene.output.bits,
+            alpha: scene.is_transparent(),
+            ..FileSettings::new(scene.image.size)
+        };
+        let written = open_image(&path, &settings).and_then(|mut writer| {
+            writer.write_band(&band)?;
+            writer.finish()
+        });
+        written.map_err(|error| failed(&error))?;
+        let bytes = std::fs::read(&path).map_err(|error| failed(&error))?;
+        Ok(PyBytes::new(py, &bytes))
+    }
+
+    fn _repr_png_<'py>(&self, py: Python<'py>) -> PyResult<Option<Bound<'py, PyBytes>>> {
+        if self.state(py).scene.camera.is_none() { Ok(None) } else { self.png(py).map(Some) }
+    }
+
+    fn __repr__(&self, py: Python) -> String {
+        let state = self.state(py);
+        let [width, height] = state.scene.image.size;
+        format!("<bentray.Scene {}, {width}x{height}, {} objects>", self.path.display(), state.scene.objects.len())
+    }
+
+    /// The width and height of the image.
+    #[getter]
+    fn size(&self, py: Python) -> (u32, u32) {
+        self.state(py).scene.image.size.into()
+    }
+
+    /// The integration method with its settings, once it is chosen.
+    #[getter]
+    fn method(&self, py: Python) -> Option<String> {
+        self.state(py).rays().map(Rays::followed)
+    }
+
+    /// The text of the scene, without later changes.
+    #[getter]
+    fn toml(&self) -> &str {
+        &self.text
+    }
+}
+
+/// Returns the layer with this name.
+fn layer(name: &str) -> PyResult<Layer> {
+    let known = || Layer::ALL.into_iter().map(Layer::name).collect::<Vec<_>>().join(", ");
+    let found = Layer::ALL.into_iter().find(|layer| layer.name() == name);
+    found.ok_or_else(|| PyValueError::new_err(format!("there is no layer {name:?}; layers: {}", known())))
+}
+
+impl Scene {
+    fn of(py: Python, text: String, path: PathBuf, device: Option<String>) -> PyResult<Self> {
+        let mut files = Files::default();
+        let scene = parsed(&mut files, &text, &path, &[]).map_err(|error| scene_error(py, &error))?;
+        let state = Mutex::new(State::new(files, scene));
+        Ok(Self { text, path, device, state })
+    }
+
+    /// Locks the state; other Python threads go on meanwhile.
+    fn state(&self, py: Python) -> MutexGuard<'_, State> {
+        self.state.lock_py_attached(py).unwrap_or_else(std::sync::PoisonError::into_inner)
+    }
+
+    /// Returns the scene after changes.
+    fn checked(&self, files: &mut Files, changes: &[(String, Override)]) -> Result<Checked, SceneError> {
+        let overrides: Vec<Override> = changes.iter().map(|(_, change)| change.clone()).collect();
+        parsed(files, &self.text, &self.path, &overrides)
+    }
+
+    /// Renders an image of this size with this number of samples, by default those of the scene.
+    fn image(
+        &self,
+        py: Python,
+        size: Option<[u32; 2]>,
+        samples: Option<u32>,
+        layers: &[Layer],
+    ) -> PyResult<(Band, Checked)> {
+        let device = open(self.device.as_deref())?;
+        let mut guard = self.state(py);
+        let state = &mut *guard;
+        let mut changes = state.changes.clone();
+        if let Some([width, height]) = size {
+            changes.push(("image.size".into(), over(py, &format!("image.size=[{width}, {height}]"))?));
+        }
+        if let Some(samples) = samples {
+            changes.push(("image.samples".into(), over(py, &format!("image.samples={samples}"))?));
+        }
+        let scene = if changes.len() == state.changes.len() {
+            state.scene.clone()
+        } else {
+            self.checked(&mut state.files, &changes).map_err(|error| scene_error(py, &error))?
+        };
+        let shown = scene.clone();
+        let band = device.run(py, || state.draw(device, scene, layers))?.map_err(render_error)?;
+        Ok((band, shown))
+    }
+}
+
+fn parsed(files: &mut Files, text: &str, path: &Path, changes: &[Override]) -> Result<Checked, SceneError> {
+    Checked::parse_with(files, text, path, changes)
+}
+
+fn over(py: Python, text: &str) -> PyResult<Override> {
+    text.parse().map_err(|error| scene_error(py, &error))
+}

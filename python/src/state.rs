@@ -1,0 +1,134 @@
+//! The state of a scene: its renderer and tracer, which compile their programs once, and the integration methods that were chosen.
+
+use bentray::measure::{Preparation, calibrate};
+use bentray::program::{Layer, Mode};
+use bentray::render::{Band, RenderError, RenderSettings, Renderer, Starts, Traced, Tracer, trace_paths};
+use bentray::scene::{Files, Override, Rays, Scene as Checked};
+
+use crate::device::Device;
+
+/// The parts of a scene that change.
+pub struct State {
+    /// The changes since the text, by their keys.
+    pub changes: Vec<(String, Override)>,
+    pub files: Files,
+    pub scene: Checked,
+    /// The renderer of the last image, and the layers that it was asked for.
+    image: Option<(Renderer<'static>, Vec<Layer>)>,
+    /// The integration of images, once it is chosen.
+    image_rays: Option<Chosen>,
+    pub tracer: Option<Tracer<'static>>,
+    /// The integration of traced rays, once it is chosen.
+    traced_rays: Option<Chosen>,
+}
+
+/// A choice of the integration, which changes of other keys keep.
+#[derive(Clone)]
+struct Chosen {
+    asked: Rays,
+    rays: Rays,
+    /// The layers that are compiled, which determine how the device rounds.
+    layers: Vec<Layer>,
+}
+
+impl State {
+    /// Creates the state of a scene without changes.
+    pub fn new(files: Files, scene: Checked) -> Self {
+        Self { changes: Vec::new(), files, scene, image: None, image_rays: None, tracer: None, traced_rays: None }
+    }
+
+    /// Returns the integration of images or, before the first one, of traced rays, once it is chosen.
+    pub fn rays(&self) -> Option<&Rays> {
+        let given = self.scene.rays.auto.is_none().then_some(&self.scene.rays);
+        given.or(self.image_rays.as_ref().or(self.traced_rays.as_ref()).map(|chosen| &chosen.rays))
+    }
+
+    /// Renders an image, and chooses the method of the first one.
+    pub fn draw(&mut self, device: Device, mut scene: Checked, layers: &[Layer]) -> Result<Band, RenderError> {
+        let mut settings = RenderSettings::default();
+        settings.options.layers = layers.to_vec();
+        if self.image.as_ref().is_some_and(|(_, asked)| asked != layers) {
+            self.image = None;
+        }
+        if scene.rays.auto.is_some() {
+            let kept = self.image_rays.as_ref().filter(|chosen| chosen.asked == scene.rays);
+            let chosen = match kept {
+                Some(chosen) => chosen.clone(),
+                None => self.choose(device, &scene, &settings)?,
+            };
+            scene.rays.clone_from(&chosen.rays);
+            if chosen.layers.len() > layers.len() {
+                settings.options.layers.clone_from(&chosen.layers);
+            }
+        }
+        let kept = self.image.as_mut().map(|(renderer, _)| renderer.set_scene(scene.clone()));
+        match kept {
+            Some(Ok(())) => {}
+            Some(Err(RenderError::OtherProgram)) | None => {
+                self.image = Some((Renderer::keeping(device.gpu, scene, settings)?, layers.to_vec()));
+            }
+            Some(Err(error)) => return Err(error),
+        }
+        let Some((renderer, _)) = &mut self.image else { return Err(RenderError::NoCamera) };
+        Ok(renderer.render()?.band)
+    }
+
+    /// Searches for a method, and keeps the renderer that the search has compiled.
+    fn choose(&mut self, device: Device, scene: &Checked, settings: &RenderSettings) -> Result<Chosen, RenderError> {
+        let rays = scene.image.size.map(u64::from).iter().product::<u64>() * u64::from(scene.image.samples);
+        let mut chosen =
+            Chosen { asked: scene.rays.clone(), rays: scene.rays.clone(), layers: settings.options.layers.clone() };
+        if let Some(prepared) = Preparation::new(device.gpu, scene, settings)? {
+            let (calibration, renderer) = prepared.choose(rays)?;
+            if let Some(calibration) = calibration {
+                chosen.rays = calibration.applied(scene).rays;
+                chosen.layers = calibration.layers;
+            }
+            self.image = renderer.map(|renderer| (renderer, settings.options.layers.clone()));
+        }
+        self.image_rays = Some(chosen.clone());
+        Ok(chosen)
+    }
+
+    /// Follows rays, and chooses the method for the first ones.
+    pub fn follow(&mut self, device: Device, rays: &[[f64; 6]]) -> Result<Vec<Traced>, RenderError> {
+        if rays.is_empty() {
+            return Ok(Vec::new());
+        }
+        if self.tracer.is_none() {
+            let scene = self.for_rays(device, rays)?;
+            self.tracer = Some(Tracer::keeping(device.gpu, scene, RenderSettings::default(), Mode::Trace)?);
+        }
+        let Some(tracer) = &mut self.tracer else { return Err(RenderError::NoCamera) };
+        Ok(tracer.follow(Starts::Given(rays))?.0)
+    }
+
+    /// Follows rays like [`follow`](Self::follow), and returns the points of their paths.
+    pub fn paths(&mut self, device: Device, rays: &[[f64; 6]]) -> Result<Vec<Vec<[f64; 3]>>, RenderError> {
+        if rays.is_empty() {
+            return Ok(Vec::new());
+        }
+        let scene = self.for_rays(device, rays)?;
+        let paths = trace_paths(device.gpu, &scene, &RenderSettings::default(), rays)?;
+        Ok(paths.into_iter().map(|(_, points)| points.into_iter().map(|point| point.x).collect()).collect())
+    }
+
+    /// Returns the scene with the method of traced rays, which is chosen for the first ones.
+    fn for_rays(&mut self, device: Device, rays: &[[f64; 6]]) -> Result<Checked, RenderError> {
+        let mut scene = self.scene.clone();
+        if scene.rays.auto.is_some() {
+            let kept = self.traced_rays.take().filter(|chosen| chosen.asked == scene.rays);
+            let chosen = match kept {
+                Some(chosen) => chosen,
+                None => {
+                    let found = calibrate(device.gpu, &scene, &RenderSettings::default(), Some(rays))?;
+                    let applied = found.map_or(scene.rays.clone(), |found| found.applied(&scene).rays);
+                    Chosen { asked: scene.rays.clone(), rays: applied, layers: Vec::new() }
+                }
+            };
+            scene.rays.clone_from(&chosen.rays);
+            self.traced_rays = Some(chosen);
+        }
+        Ok(scene)
+    }
+}

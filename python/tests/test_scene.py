@@ -1,0 +1,263 @@
+"""Tests of the Python package, against the program and closed forms."""
+
+import json
+import math
+import os
+import pathlib
+import random
+import subprocess
+import sys
+import threading
+
+import numpy as np
+import pytest
+
+import bentray
+
+PROGRAM = pathlib.Path(os.environ["BENTRAY"])
+BALL = """
+[image]
+size = [40, 30]
+[camera]
+position = [0, 0, 5]
+[rays]
+bounding_sphere = { radius = 10 }
+[sky]
+color = [0.2, 0.3, 0.4]
+[materials.red]
+kind = "emissive"
+color = [1, 0, 0]
+[[objects]]
+shape = "sphere"
+material = "red"
+"""
+HOLE = {"law": {"kind": "schwarzschild"}, "rays": {"bounding_sphere": {"radius": 50}, "sky_at_infinity": True}}
+
+
+def from_program(folder, text, *options):
+    (folder / "scene.toml").write_text(text)
+    subprocess.run([PROGRAM, "render", "scene.toml", "-o", "a.npz", *options], cwd=folder, check=True)
+    return np.load(folder / "a.npz")
+
+
+def same(arrays, expected):
+    names = [name for name in expected.files if name != "metadata.json"]
+    assert set(arrays) == set(names)
+    for name in names:
+        own, other = arrays[name], expected[name]
+        assert own.dtype == other.dtype and own.shape == other.shape, name
+        assert np.array_equal(own.view(np.uint32), other.view(np.uint32)), name
+
+
+@pytest.mark.parametrize(
+    "change",
+    [
+        ("[rays]", "[rays]"),
+        ("[rays]", '[law]\nkind = "schwarzschild"\nmass = 0.2\n[rays]'),
+        ("[rays]", '[law]\nkind = "kerr-newman"\nmass = 0.2\nspin = 0.19\n[rays]\nmethod = "rk4"'),
+        ("[rays]", '[rays]\nlighting = "path-tracing"'),
+        ('material = "red"', "interior = 1.5"),
+        ("[sky]\ncolor = [0.2, 0.3, 0.4]", 'sky = "transparent"'),
+    ],
+)
+def test_images_have_the_bits_of_the_program(tmp_path, change):
+    text = BALL.replace(*change)
+    if "transparent" in text:
+        text = 'sky = "transparent"\n' + text.replace('sky = "transparent"', "")
+    expected = from_program(tmp_path, text, "--samples", "2")
+    layers = [name for name in expected.files if name not in ("color", "alpha", "metadata.json")]
+    same(bentray.Scene(text).render(samples=2, layers=layers), expected)
+
+
+def test_a_dict_a_text_and_a_file_are_one_scene(tmp_path):
+    scene = {
+        "image": {"size": [40, 30]},
+        "camera": {"position": np.array([0, 0, 5.0])},
+        "rays": {"bounding_sphere": {"radius": 10}},
+        "sky": {"color": (0.2, 0.3, 0.4)},
+        "materials": {"red": {"kind": "emissive", "color": [1, 0, 0]}},
+        "objects": [{"shape": "sphere", "material": "red"}],
+    }
+    (tmp_path / "scene.toml").write_text(BALL)
+    images = [bentray.Scene(scene), bentray.Scene(BALL), bentray.Scene.load(tmp_path / "scene.toml")]
+    colors = [image.render()["color"] for image in images]
+    assert np.array_equal(colors[0], colors[1]) and np.array_equal(colors[0], colors[2])
+
+
+def test_changes_are_those_of_a_new_scene(tmp_path):
+    scene = bentray.Scene(BALL)
+    first = scene.render()["color"]
+    scene.set({"camera.position": [0, 0, 4], "sky.color": [0, 0, 1]})
+    moved = scene.render()["color"]
+    fresh = bentray.Scene(BALL.replace("[0, 0, 5]", "[0, 0, 4]").replace("[0.2, 0.3, 0.4]", "[0, 0, 1]"))
+    assert np.array_equal(moved, fresh.render()["color"]) and not np.array_equal(moved, first)
+    # A box is another program than a ball.
+    scene.set({"objects.0.shape": "box"})
+    assert not np.array_equal(scene.render()["color"], moved)
+    with pytest.raises(bentray.SceneError):
+        scene.set({"camera.fov": 0})
+    assert scene.size == (40, 30)
+    assert scene.render(size=(16, 12))["color"].shape == (12, 16, 3)
+
+
+def test_deflection_has_its_closed_form():
+    b = np.geomspace(30, 3000, 50)
+    x = np.stack([np.full_like(b, -49.0), b, 0 * b], axis=-1)
+    rays = {"bounding_sphere": {"radius": 5000}, "sky_at_infinity": True, "precision": "f64", "accuracy": 1e-9}
+    scene = bentray.Scene({**HOLE, "rays": rays})
+    x[:, 0] = -1e4
+    ends = scene.trace(x, [1, 0, 0])
+    assert (ends["status"] == bentray.Status.ESCAPED).all()
+    bent = np.arctan2(-ends["v"][:, 1], ends["v"][:, 0])
+    # The series in 1/b; the next term is 3584 / (5 b^5).
+    expected = 4 / b + 15 * math.pi / 4 / b**2 + 128 / 3 / b**3 + 3465 * math.pi / 64 / b**4
+    assert np.allclose(bent, expected, rtol=0, atol=2e-9 + 1000 / b**5)
+
+
+def test_the_shadow_is_3_sqrt_3_wide():
+    b = np.linspace(5.19, 5.20, 1001)
+    x = np.stack([np.full_like(b, -1e5), b, 0 * b], axis=-1)
+    rays = {"bounding_sphere": {"radius": 50}, "sky_at_infinity": True, "precision": "f64"}
+    ends = bentray.Scene({**HOLE, "rays": rays}).trace(x, [1, 0, 0])
+    captured = b[ends["status"] == bentray.Status.CAPTURED]
+    assert abs(captured.max() - math.sqrt(27)) < 2e-5
+
+
+def test_paths_lead_to_the_ends():
+    x = [[-40, b, 0] for b in (3.0, 6.0, 20.0)]
+    ends = bentray.Scene(HOLE).trace(x, [1, 0, 0], paths=True)
+    for start, path, status, end in zip(x, ends["paths"], ends["status"], ends["x"]):
+        assert path.shape[1] == 3 and len(path) > 2 and np.allclose(path[0], start)
+        if status == bentray.Status.CAPTURED:
+            assert np.linalg.norm(path[-1]) < 3
+        else:
+            # The ends of escaped rays are at infinity, and their paths end at the bounding sphere.
+            assert np.isclose(np.linalg.norm(path[-1]), 50, rtol=0.2) and np.linalg.norm(end) >= 40
+
+
+def test_errors_have_their_place_and_help():
+    with pytest.raises(bentray.SceneError) as caught:
+        bentray.Scene('[law]\nkind = "schwarzschild"\nmas = 2\n[rays]\nbounding_sphere = { radius = 50 }\n')
+    (error,) = caught.value.errors
+    assert (error["line"], error["column"]) == (3, 1)
+    assert "mass" in error["help"] and "unknown key `mas`" in str(caught.value)
+    with pytest.raises(bentray.SceneError, match="cannot read"):
+        bentray.Scene.load("no/such/scene.toml")
+    with pytest.raises(bentray.DeviceError, match="no such device"):
+        bentray.Scene(BALL, device="no such device").render()
+    with pytest.raises(bentray.RenderError, match="camera"):
+        bentray.Scene(HOLE).render()
+    with pytest.raises(ValueError, match="no layer"):
+        bentray.Scene(BALL).render(layers=["colour"])
+
+
+@pytest.mark.parametrize(
+    "x, v",
+    [
+        ([1, 2], [1, 0, 0]),
+        ([[1, 2, 3, 4]], [1, 0, 0]),
+        ("abc", [1, 0, 0]),
+        ([[0, 0, math.nan]], [1, 0, 0]),
+        ([[0, 0, 0]], [math.inf, 0, 0]),
+        ([[0, 0, 9]], [0, 0, 0]),
+        ([[0, 0, 9]] * 2, [[1, 0, 0]] * 3),
+        (np.zeros((2, 2, 3)), [1, 0, 0]),
+        (np.array([[1j, 0, 0]]), [1, 0, 0]),
+        ([[0, 0, 1e300]], [1, 0, 0]),
+        (None, [1, 0, 0]),
+    ],
+)
+def test_bad_rays_are_exceptions(x, v):
+    with pytest.raises((ValueError, TypeError)):
+        bentray.Scene(HOLE).trace(x, v)
+
+
+def test_no_rays_have_no_ends():
+    ends = bentray.Scene(HOLE).trace(np.empty((0, 3)), [1, 0, 0])
+    assert ends["x"].shape == (0, 3) and ends["status"].shape == (0,)
+
+
+def test_arrays_of_any_layout_and_type_are_rays():
+    x = np.random.default_rng(1).uniform(-20, 20, (100, 3))
+    scene = bentray.Scene(HOLE)
+    expected = scene.trace(x, [1, 0, 0])
+    for other in [np.asfortranarray(x), np.repeat(x, 2, axis=0)[::2], x.astype(">f8"), x.tolist()]:
+        ends = scene.trace(other, np.array([1, 0, 0]))
+        assert all(np.array_equal(ends[name], expected[name]) for name in expected)
+
+
+def test_threads_share_a_scene():
+    scene = bentray.Scene(BALL)
+    expected = scene.render()["color"]
+    results = []
+    threads = [threading.Thread(target=lambda: results.append(scene.render()["color"])) for _ in range(8)]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    assert len(results) == 8 and all(np.array_equal(result, expected) for result in results)
+
+
+def test_a_notebook_shows_the_picture():
+    png = bentray.Scene(BALL)._repr_png_()
+    assert png.startswith(b"\x89PNG")
+    assert json.loads(json.dumps(bentray.devices()))
+    assert "40" in repr(bentray.Scene(BALL))
+
+
+def test_a_forked_process_is_told():
+    bentray.Scene(BALL).render()
+    child = os.fork()
+    if child == 0:
+        try:
+            bentray.Scene(BALL).render()
+        except bentray.DeviceError as error:
+            os._exit(0 if "fork" in str(error) else 2)
+        os._exit(1)
+    assert os.waitpid(child, 0)[1] == 0
+
+
+def test_ctrl_c_cancels_a_render():
+    script = (
+        "import bentray, signal, threading, os, time\n"
+        f"scene = bentray.Scene({BALL!r})\n"
+        "scene.render()\n"
+        "threading.Timer(0.5, lambda: os.kill(os.getpid(), signal.SIGINT)).start()\n"
+        "start = time.monotonic()\n"
+        "try:\n"
+        "    scene.render(size=(4000, 3000), samples=4096)\n"
+        "except KeyboardInterrupt:\n"
+        "    assert time.monotonic() - start < 20\n"
+        "    scene.render()\n"
+        "    print('cancelled')\n"
+    )
+    ran = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, timeout=120)
+    assert ran.stdout == "cancelled\n", ran.stderr
+
+
+VALUES = [None, True, -1, 0, 3, 1e400, float("nan"), "", "a\x00b", "8 kpc", [], [1, 2, 3], [[1], 2], {}, {"a": 1}, {1: 2}]
+VALUES += [np.zeros(3), np.zeros((0, 3)), np.float32(2), object(), b"x", 10**30, "[law]\nkind = ", {"law": {"kind": "kerr"}}]
+
+
+def test_any_arguments_are_exceptions_or_right():
+    rng = random.Random(1)
+    scene = bentray.Scene(BALL)
+    keys = ["camera.fov", "camera.position", "rays.method", "objects.0.radius", "sky", "image.size", "a.b", "", "units.mass"]
+    calls = [
+        lambda: bentray.Scene(rng.choice(VALUES)),
+        lambda: bentray.Scene({rng.choice(["law", "rays", "camera", "sky", "x"]): rng.choice(VALUES)}),
+        lambda: scene.set({rng.choice(keys): rng.choice(VALUES)}),
+        lambda: scene.set({"camera.fov": 30}),
+        lambda: scene.trace(rng.choice(VALUES), rng.choice(VALUES)),
+        lambda: scene.render(layers=rng.choice([None, [], ["depth"], ["x"], VALUES])),
+        lambda: scene.render(size=rng.choice([None, (0, 1), (8, 8), (1, 10**9), "ab", (1,), (-1, 2)])),
+        lambda: scene.render(samples=rng.choice([None, 0, 1, 2, -1, 10**9, "x", 1.5]), size=(4, 4)),
+    ]
+    for _ in range(2000):
+        try:
+            rng.choice(calls)()
+        except (ValueError, TypeError, OverflowError, bentray.RenderError, bentray.DeviceError):
+            pass
+        # A change that was accepted may be of any kind; a refused one leaves the scene as it was.
+        if rng.random() < 0.05:
+            scene = bentray.Scene(BALL)
