@@ -90,7 +90,7 @@ fn measured(node: &Node, dimensions: &[Dimension], of: impl Fn(&Quantity) -> Opt
     let Value::Quantity(read) = &node.value else { return number(node) };
     let [expected, ..] = dimensions else { return number(node) };
     if !dimensions.contains(&read.dimension) {
-        let help = format!("use a number, or a unit of {}: {}", &expected.name()[2..], expected.units());
+        let help = format!("use a number, or {} with one of the units {}", expected.name(), expected.units());
         return Err(SpannedError { help, ..node.expected(expected.name()) });
     }
     let undefined = || match read.dimension {

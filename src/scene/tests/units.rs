@@ -136,7 +136,7 @@ fn wrong_units_name_the_right_ones() {
     let with = |text: &str| told(&format!("{UNITS}{text}"));
     let (problem, help) = with("[rays]\nbounding_sphere = { radius = «\"2 h\"» }\n");
     assert_eq!(problem, "expected a length, found a time (2 h)");
-    assert!(help.starts_with("use a number, or a unit of length: nm, um, µm, mm, cm, m, km"), "{help}");
+    assert!(help.starts_with("use a number, or a length with one of the units nm, um, µm, mm, cm, m, km"), "{help}");
     let (problem, _) = with("[image]\nsamples = «\"2 m\"»\n[rays]\nbounding_sphere = { radius = 1 }\n");
     assert!(problem.ends_with("found a length (2 m)"), "{problem}");
     let (problem, help) = told("[rays]\nbounding_sphere = { radius = «\"2 km\"» }\n");
@@ -154,8 +154,9 @@ fn wrong_units_name_the_right_ones() {
     assert_eq!(problem, "`distance` requires the unit of length of the scene");
     let (problem, _) = told(&format!("[units]\nlength = «\"-2 km\"»\n{RAYS}"));
     assert!(problem.starts_with("expected a value above 0, found -2000"), "{problem}");
-    let (problem, _) = with(&format!("{RAYS}[camera]\nposition = [0, 0, 9]\nfov = «\"2 km\"»\n"));
+    let (problem, help) = with(&format!("{RAYS}[camera]\nposition = [0, 0, 9]\nfov = «\"2 km\"»\n"));
     assert_eq!(problem, "expected an angle, found a length (2 km)");
+    assert_eq!(help, "use a number, or an angle with one of the units deg, mrad, rad");
 }
 
 /// Checks that tracks interpolate numbers with units, and refuse to mix units of several kinds.
