@@ -37,7 +37,7 @@ test: device tools
 	needs() { for program in "$${@:2}"; do \
 	    command -v "$$program" >/dev/null || { echo "$$program is not installed: skipping tests $$1"; skip+=" --skip $$1"; return 0; }; \
 	done; }; \
-	[ -x target/python/bin/python ] || \
+	target/python/bin/python -c 'import numpy, astropy, h5py, OpenEXR' 2>/dev/null || \
 	    { python3 -m venv target/python && target/python/bin/pip install -q numpy astropy h5py OpenEXR; } || rm -rf target/python; \
 	needs with_numpy target/python/bin/python; \
 	needs with_ffmpeg ffmpeg; \
@@ -58,7 +58,7 @@ test: device tools
 PYTHON := target/python-wheel
 
 python: device
-	[ -x $(PYTHON)/bin/python ] || { python3 -m venv $(PYTHON) && $(PYTHON)/bin/pip install -q maturin numpy matplotlib pytest; }
+	$(PYTHON)/bin/python -c "import maturin, numpy, matplotlib, pytest" 2>/dev/null || { python3 -m venv $(PYTHON) && $(PYTHON)/bin/pip install -q maturin numpy matplotlib pytest; }
 	cargo build --release
 	rm -rf target/wheels
 	$(PYTHON)/bin/maturin build -q --release -m python/Cargo.toml --out target/wheels
