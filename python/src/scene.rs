@@ -1,6 +1,6 @@
 //! The class `Scene`.
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::sync::{Mutex, MutexGuard};
 
 use bentray::output::{FileSettings, open as open_image};
@@ -165,7 +165,7 @@ fn layer(name: &str) -> PyResult<Layer> {
 impl Scene {
     fn of(py: Python, text: String, path: PathBuf, device: Option<String>) -> PyResult<Self> {
         let mut files = Files::default();
-        let scene = parsed(&mut files, &text, &path, &[]).map_err(|error| scene_error(py, &error))?;
+        let scene = Checked::parse_with(&mut files, &text, &path, &[]).map_err(|error| scene_error(py, &error))?;
         let state = Mutex::new(State::new(files, scene));
         Ok(Self { text, path, device, state })
     }
@@ -178,7 +178,7 @@ impl Scene {
     /// Returns the scene after changes.
     fn checked(&self, files: &mut Files, changes: &[(String, Override)]) -> Result<Checked, SceneError> {
         let overrides: Vec<Override> = changes.iter().map(|(_, change)| change.clone()).collect();
-        parsed(files, &self.text, &self.path, &overrides)
+        Checked::parse_with(files, &self.text, &self.path, &overrides)
     }
 
     /// Renders an image of this size with this number of samples, by default those of the scene.
@@ -204,14 +204,13 @@ impl Scene {
         } else {
             self.checked(&mut state.files, &changes).map_err(|error| scene_error(py, &error))?
         };
+        if let Some(refusal) = layers.iter().find_map(|layer| layer.refused_by(&scene)) {
+            return Err(PyValueError::new_err(refusal));
+        }
         let shown = scene.clone();
         let band = device.run(py, || state.draw(device, scene, layers))?.map_err(render_error)?;
         Ok((band, shown))
     }
-}
-
-fn parsed(files: &mut Files, text: &str, path: &Path, changes: &[Override]) -> Result<Checked, SceneError> {
-    Checked::parse_with(files, text, path, changes)
 }
 
 fn over(py: Python, text: &str) -> PyResult<Override> {

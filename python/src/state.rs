@@ -1,6 +1,6 @@
 //! The state of a scene: its renderer and tracer, which compile their programs once, and the integration methods that were chosen.
 
-use bentray::measure::{Preparation, calibrate};
+use bentray::measure::{Preparation, calibrate, compared_layers};
 use bentray::program::{Layer, Mode};
 use bentray::render::{Band, RenderError, RenderSettings, Renderer, Starts, Traced, Tracer, trace_paths};
 use bentray::scene::{Files, Override, Rays, Scene as Checked};
@@ -13,7 +13,7 @@ pub struct State {
     pub changes: Vec<(String, Override)>,
     pub files: Files,
     pub scene: Checked,
-    /// The renderer of the last image, and the layers that it was asked for.
+    /// The renderer of the last image, and the layers that it has compiled.
     image: Option<(Renderer<'static>, Vec<Layer>)>,
     /// The integration of images, once it is chosen.
     image_rays: Option<Chosen>,
@@ -27,8 +27,8 @@ pub struct State {
 struct Chosen {
     asked: Rays,
     rays: Rays,
-    /// The layers that are compiled, which determine how the device rounds.
-    layers: Vec<Layer>,
+    /// Is `true` if the layers that a search compares are compiled, which determine how the device rounds.
+    compared: bool,
 }
 
 impl State {
@@ -47,9 +47,6 @@ impl State {
     pub fn draw(&mut self, device: Device, mut scene: Checked, layers: &[Layer]) -> Result<Band, RenderError> {
         let mut settings = RenderSettings::default();
         settings.options.layers = layers.to_vec();
-        if self.image.as_ref().is_some_and(|(_, asked)| asked != layers) {
-            self.image = None;
-        }
         if scene.rays.auto.is_some() {
             let kept = self.image_rays.as_ref().filter(|chosen| chosen.asked == scene.rays);
             let chosen = match kept {
@@ -57,15 +54,17 @@ impl State {
                 None => self.choose(device, &scene, &settings)?,
             };
             scene.rays.clone_from(&chosen.rays);
-            if chosen.layers.len() > layers.len() {
-                settings.options.layers.clone_from(&chosen.layers);
+            if chosen.compared {
+                settings.options.layers = compared_layers(layers);
             }
         }
+        self.image = self.image.take().filter(|(_, compiled)| *compiled == settings.options.layers);
         let kept = self.image.as_mut().map(|(renderer, _)| renderer.set_scene(scene.clone()));
         match kept {
             Some(Ok(())) => {}
             Some(Err(RenderError::OtherProgram)) | None => {
-                self.image = Some((Renderer::keeping(device.gpu, scene, settings)?, layers.to_vec()));
+                let compiled = settings.options.layers.clone();
+                self.image = Some((Renderer::keeping(device.gpu, scene, settings)?, compiled));
             }
             Some(Err(error)) => return Err(error),
         }
@@ -76,15 +75,14 @@ impl State {
     /// Searches for a method, and keeps the renderer that the search has compiled.
     fn choose(&mut self, device: Device, scene: &Checked, settings: &RenderSettings) -> Result<Chosen, RenderError> {
         let rays = scene.image.size.map(u64::from).iter().product::<u64>() * u64::from(scene.image.samples);
-        let mut chosen =
-            Chosen { asked: scene.rays.clone(), rays: scene.rays.clone(), layers: settings.options.layers.clone() };
+        let mut chosen = Chosen { asked: scene.rays.clone(), rays: scene.rays.clone(), compared: false };
         if let Some(prepared) = Preparation::new(device.gpu, scene, settings)? {
             let (calibration, renderer) = prepared.choose(rays)?;
             if let Some(calibration) = calibration {
                 chosen.rays = calibration.applied(scene).rays;
-                chosen.layers = calibration.layers;
+                chosen.compared = calibration.layers != settings.options.layers;
+                self.image = renderer.map(|renderer| (renderer, calibration.layers));
             }
-            self.image = renderer.map(|renderer| (renderer, settings.options.layers.clone()));
         }
         self.image_rays = Some(chosen.clone());
         Ok(chosen)
@@ -123,7 +121,7 @@ impl State {
                 None => {
                     let found = calibrate(device.gpu, &scene, &RenderSettings::default(), Some(rays))?;
                     let applied = found.map_or(scene.rays.clone(), |found| found.applied(&scene).rays);
-                    Chosen { asked: scene.rays.clone(), rays: applied, layers: Vec::new() }
+                    Chosen { asked: scene.rays.clone(), rays: applied, compared: false }
                 }
             };
             scene.rays.clone_from(&chosen.rays);

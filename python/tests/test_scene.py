@@ -69,6 +69,19 @@ def test_images_have_the_bits_of_the_program(tmp_path, change):
     same(bentray.Scene(text).render(samples=2, layers=layers), expected)
 
 
+def test_later_images_have_the_layers_that_are_asked_for():
+    text = BALL.replace("[rays]", '[law]\nkind = "schwarzschild"\nmass = 0.2\n[rays]')
+    scene = bentray.Scene(text)
+    scene.render()
+    for layers in [["steps"], ["normal", "samples"], [], ["status", "depth"]]:
+        picture, fresh = scene.render(layers=layers), bentray.Scene(text).render(layers=layers)
+        assert set(picture) == {"color", *layers}
+        assert all(np.array_equal(picture[name], fresh[name]) for name in picture)
+    for layer in ["redshift", "image_order", "accumulated", "standard_error"]:
+        with pytest.raises(ValueError, match=layer):
+            scene.render(layers=[layer])
+
+
 def test_a_dict_a_text_and_a_file_are_one_scene(tmp_path):
     scene = {
         "image": {"size": [40, 30]},

@@ -17,7 +17,7 @@ use clap::Args;
 use clap::builder::TypedValueParser;
 
 use super::choose_method::Settled;
-use super::continuation::{EarlierImage, SUMS, is_continuable};
+use super::continuation::EarlierImage;
 use super::format::Format;
 use super::frame_list::Frames;
 use super::frame_names::numbered;
@@ -183,28 +183,9 @@ impl Arguments {
             (None, None) => film.load(None)?,
             (Some(frame), None) => film.load(Some(&|_| frame.into()))?,
         };
-        let asked = |layer| self.layers.as_ref().is_some_and(|layers| layers.contains(&Some(layer)));
-        if asked(Layer::StandardError) && scene.rays.path_tracing.is_none() && scene.image.adaptive.is_none() {
-            return Err(usage!(
-                "the layer `standard_error` requires random samples: set lighting = \"path-tracing\" or image.adaptive"
-            ));
-        }
-        if SUMS.into_iter().any(asked) && !is_continuable(&scene) {
-            return Err(usage!(
-                "the layers `accumulated` and `luminance_m2` require lighting = \"path-tracing\" without image.adaptive"
-            ));
-        }
-        if asked(Layer::Redshift) && !scene.has_frequencies() {
-            return Err(usage!(
-                "the layer `redshift` requires camera.observer and a stationary spacetime, and cannot be combined with \
-                 lighting = \"path-tracing\""
-            ));
-        }
-        if asked(Layer::ImageOrder) && !scene.has_orders() {
-            return Err(usage!(
-                "the layer `image_order` requires surfaces with `opacity` below 1, and cannot be combined with \
-                 transparent objects, ray splitters, image.adaptive or rays.max_splits = \"stochastic\""
-            ));
+        let mut asked = self.layers.iter().flatten().copied().flatten();
+        if let Some(refusal) = asked.find_map(|layer| layer.refused_by(&scene)) {
+            return Err(usage!("{refusal}"));
         }
         match self.crop.filter(|window| !window.fits(scene.image.size)) {
             Some(window) => Err(RenderError::Window { window, picture: scene.image.size }.into()),

@@ -7,8 +7,8 @@
 //! *Practice.* A string that is a number with a unit becomes a [`Quantity`] before the document is read. Whether a key accepts it is
 //! decided where the key is read, by the reader of its value, such as `length` in `values`.
 //!
-//! *Source.* Masses of the Sun, the Earth and Jupiter: nominal GM of IAU Resolution 2015 B3; parsec: IAU Resolution 2015 B2; kilogram and
-//! electronvolt: CODATA 2018.
+//! *Source.* Masses of the Sun, the Earth and Jupiter: nominal GM of IAU Resolution 2015 B3; parsec: IAU Resolution 2015 B2; G:
+//! CODATA 2018.
 
 use super::{Document, Node, Value};
 

@@ -1,5 +1,7 @@
 //! The layers of an image, except its color.
 
+use crate::scene::Scene;
+
 /// A quantity that an image stores in addition to color.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Layer {
@@ -46,6 +48,29 @@ pub enum LayerKind {
 }
 
 impl Layer {
+    /// Returns why images of a scene cannot have this layer, if they cannot.
+    #[must_use]
+    pub fn refused_by(self, scene: &Scene) -> Option<&'static str> {
+        let (by_paths, adapts) = (scene.rays.path_tracing.is_some(), scene.image.adaptive.is_some());
+        match self {
+            Self::StandardError if !by_paths && !adapts => Some(
+                "the layer `standard_error` requires random samples: set lighting = \"path-tracing\" or image.adaptive",
+            ),
+            Self::Accumulated | Self::LuminanceM2 if !by_paths || adapts => Some(
+                "the layers `accumulated` and `luminance_m2` require lighting = \"path-tracing\" without image.adaptive",
+            ),
+            Self::Redshift if !scene.has_frequencies() => Some(
+                "the layer `redshift` requires camera.observer and a stationary spacetime, and cannot be combined with \
+                 lighting = \"path-tracing\"",
+            ),
+            Self::ImageOrder if !scene.has_orders() => Some(
+                "the layer `image_order` requires surfaces with `opacity` below 1, and cannot be combined with \
+                 transparent objects, ray splitters, image.adaptive or rays.max_splits = \"stochastic\"",
+            ),
+            _ => None,
+        }
+    }
+
     /// Returns the type of the layer's values.
     #[must_use]
     pub fn kind(self) -> LayerKind {
