@@ -88,10 +88,21 @@ fn depth_is_the_length_of_the_path() {
     }
 }
 
+/// An accretion disk around a spinning black hole, whose redshift depends on the direction of each ray at the camera.
+const SPINNING: &str = "[image]\nsize = [96, 64]\n[camera]\nposition = [18, 3, 4]\nobserver = \"static\"\nredshift = true\n\
+    [law]\nkind = \"kerr-newman\"\nspin = 0.9\naxis = [0, 1, 0]\n[rays]\nbounding_sphere = { radius = 60 }\n\
+    [materials.m]\nkind = \"accretion\"\ntemperature = 7000\nopacity = 0.5\n\
+    [[objects]]\nshape = \"disk\"\nmaterial = \"m\"\nradius = 20\ninner_radius = 3\n";
+
 /// Tiles of any size give identical images, including samples and layers.
 #[test]
 fn tiles_do_not_show() {
-    let mut scene = scene(HOLE);
+    for text in [HOLE, SPINNING] {
+        tiles_of_do_not_show(scene(text));
+    }
+}
+
+fn tiles_of_do_not_show(mut scene: Scene) {
     scene.image.samples = 3;
     let options = ProgramOptions { layers: Layer::ALL.to_vec(), ..ProgramOptions::default() };
     let whole = rendered(&scene, RenderSettings { options: options.clone(), ..RenderSettings::default() });

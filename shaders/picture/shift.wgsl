@@ -25,7 +25,7 @@ var<private> seen_shift: Real;
 
 // The source of the sky's light is static, far away.
 fn note_frequency(pixel: vec2u, ray: Ray) {
-    let d = picture_ray(pixel).d;
+    let d = picture_ray(sampled_pixel(pixel)).d;
     ray_kept = Real2(frequency.energy_rest + dot(frequency.energy_along, d), frequency.turning_rest + dot(frequency.turning_along, d));
     seen_shift = select(0.0, 1.0 / ray_kept.x, ray.status == ESCAPED || ray.status == MISSED);
 }

@@ -21,7 +21,7 @@ fn note_end(p: Phase) {
 }
 
 fn note_frequency(pixel: vec2u, ray: Ray) {
-    ray_scale = frequency.rest + dot(frequency.along, picture_ray(pixel).d);
+    ray_scale = frequency.rest + dot(frequency.along, picture_ray(sampled_pixel(pixel)).d);
     seen_shift = 0.0;
 }
 
