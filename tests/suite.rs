@@ -10,6 +10,7 @@ mod cameras;
 mod charged_holes;
 mod cli;
 mod constants;
+mod crossings;
 mod custom_laws;
 mod devices;
 mod discs;

@@ -1,7 +1,7 @@
 //! `NumPy` arrays of images and rays.
 
-use bentray::program::Layer;
-use bentray::render::{Band, Plane, Traced};
+use bentray::program::{CROSSINGS, Layer};
+use bentray::render::{Band, Crossing, Crossings, Plane, Traced};
 use numpy::{PyArray1, PyArrayMethods, PyReadonlyArrayDyn, PyUntypedArrayMethods};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
@@ -18,7 +18,7 @@ const FEW: usize = 1 << 12;
 pub fn image<'py>(py: Python<'py>, band: Band, layers: &[Layer]) -> PyResult<Bound<'py, PyDict>> {
     let size = [band.rows as usize, band.width as usize];
     let arrays = PyDict::new(py);
-    arrays.set_item("color", vectors(py, size, &band.color)?)?;
+    arrays.set_item("color", components(py, size, &band.color)?)?;
     if let Some(alpha) = band.alpha {
         arrays.set_item("alpha", PyArray1::from_vec(py, alpha).reshape(size)?)?;
     }
@@ -29,18 +29,22 @@ pub fn image<'py>(py: Python<'py>, band: Band, layers: &[Layer]) -> PyResult<Bou
         let array = match plane {
             Plane::Scalar(plane) => PyArray1::from_vec(py, plane).reshape(size)?.into_any(),
             Plane::Id(plane) => PyArray1::from_vec(py, plane).reshape(size)?.into_any(),
-            Plane::Vector(planes) => vectors(py, size, &planes)?,
+            Plane::Vector(planes) => components(py, size, &planes)?,
+            Plane::Crossings(planes) => components(py, size, &planes)?,
         };
         arrays.set_item(layer.name(), array)?;
     }
     Ok(arrays)
 }
 
-/// Returns an array with three components per pixel.
-fn vectors<'py>(py: Python<'py>, [rows, width]: [usize; 2], planes: &[Vec<f32>; 3]) -> PyResult<Bound<'py, PyAny>> {
-    let [x, y, z] = planes;
-    let mixed = x.iter().zip(y).zip(z).flat_map(|((x, y), z)| [*x, *y, *z]);
-    Ok(PyArray1::from_iter(py, mixed).reshape([rows, width, 3])?.into_any())
+/// Returns an array with several components per pixel.
+fn components<'py, const N: usize>(
+    py: Python<'py>,
+    [rows, width]: [usize; 2],
+    planes: &[Vec<f32>; N],
+) -> PyResult<Bound<'py, PyAny>> {
+    let mixed = (0..rows * width).flat_map(|pixel| planes.each_ref().map(|plane| plane[pixel]));
+    Ok(PyArray1::from_iter(py, mixed).reshape([rows, width, N])?.into_any())
 }
 
 /// The ends of rays, as columns.
@@ -93,6 +97,28 @@ pub fn points(py: Python, paths: Vec<Vec<[f64; 3]>>) -> PyResult<Bound<PyList>> 
         PyArray1::from_vec(py, path.into_flattened()).reshape([count, 3])
     };
     PyList::new(py, paths.into_iter().map(array).collect::<PyResult<Vec<_>>>()?)
+}
+
+/// Returns the values of crossings as arrays of the shape (rays, crossings): NaN where there are none, and −1 for the object.
+pub fn crossings<'py>(py: Python<'py>, rays: &[Crossings]) -> PyResult<Bound<'py, PyDict>> {
+    let shape = [rays.len(), CROSSINGS];
+    let each = || rays.iter().flatten();
+    let number = |of: fn(&Crossing) -> Option<f64>| {
+        let values = each().map(|crossing| crossing.as_ref().and_then(of).unwrap_or(f64::NAN));
+        PyArray1::from_iter(py, values).reshape(shape)
+    };
+    let arrays = PyDict::new(py);
+    let objects = each().map(|crossing| crossing.map_or(-1, |crossing| i64::from(crossing.object)));
+    arrays.set_item("object", PyArray1::from_iter(py, objects).reshape(shape)?)?;
+    let places = each().flat_map(|crossing| crossing.map_or([f64::NAN; 3], |crossing| crossing.x));
+    arrays.set_item("x", PyArray1::from_iter(py, places).reshape([rays.len(), CROSSINGS, 3])?)?;
+    arrays.set_item("tau", number(|crossing| Some(crossing.tau))?)?;
+    arrays.set_item("r", number(|crossing| Some(crossing.radius))?)?;
+    arrays.set_item("phi", number(|crossing| Some(crossing.azimuth))?)?;
+    arrays.set_item("t", number(|crossing| crossing.time)?)?;
+    arrays.set_item("g", number(|crossing| crossing.redshift)?)?;
+    arrays.set_item("angle", number(|crossing| crossing.angle)?)?;
+    Ok(arrays)
 }
 
 fn column<T: Send>(ends: &[Traced], of: impl Fn(&Traced) -> T + Sync + Send) -> Vec<T> {

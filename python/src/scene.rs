@@ -83,13 +83,14 @@ impl Scene {
     }
 
     /// Follows rays to their ends.
-    #[pyo3(signature = (x, v, *, paths = false))]
+    #[pyo3(signature = (x, v, *, paths = false, crossings = false))]
     fn trace<'py>(
         &self,
         py: Python<'py>,
         x: &Bound<'py, PyAny>,
         v: &Bound<'py, PyAny>,
         paths: bool,
+        crossings: bool,
     ) -> PyResult<Bound<'py, PyDict>> {
         let rays = arrays::rays(x, v)?;
         let device = open(self.device.as_deref())?;
@@ -100,6 +101,10 @@ impl Scene {
         if paths {
             let followed = device.run(py, || state.paths(device, &rays))?.map_err(render_error)?;
             found.set_item("paths", arrays::points(py, followed)?)?;
+        }
+        if crossings {
+            let followed = device.run(py, || state.crossings(device, &rays))?.map_err(render_error)?;
+            found.set_item("crossings", arrays::crossings(py, &followed)?)?;
         }
         Ok(found)
     }

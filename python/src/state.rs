@@ -2,7 +2,7 @@
 
 use bentray::measure::{Preparation, calibrate, compared_layers};
 use bentray::program::{Layer, Mode};
-use bentray::render::{Band, RenderError, RenderSettings, Renderer, Starts, Traced, Tracer, trace_paths};
+use bentray::render::{Band, Crossings, RenderError, RenderSettings, Renderer, Starts, Traced, Tracer, trace_paths};
 use bentray::scene::{Files, Override, Rays, Scene as Checked};
 
 use crate::device::Device;
@@ -109,6 +109,21 @@ impl State {
         let scene = self.for_rays(device, rays)?;
         let paths = trace_paths(device.gpu, &scene, &RenderSettings::default(), rays)?;
         Ok(paths.into_iter().map(|(_, points)| points.into_iter().map(|point| point.x).collect()).collect())
+    }
+
+    /// Follows rays like [`follow`](Self::follow), and returns their crossings of translucent surfaces.
+    pub fn crossings(&mut self, device: Device, rays: &[[f64; 6]]) -> Result<Vec<Crossings>, RenderError> {
+        if rays.is_empty() {
+            return Ok(Vec::new());
+        }
+        let scene = self.for_rays(device, rays)?;
+        let mut settings = RenderSettings::default();
+        settings.options.layers = vec![Layer::CrossingRadius];
+        let mut tracer = Tracer::keeping(device.gpu, scene, settings, Mode::Trace)?;
+        tracer.follow(Starts::Given(rays))?;
+        let crossings = tracer.crossings();
+        // Without objects there are none.
+        Ok((0..rays.len()).map(|ray| crossings.get(ray).copied().unwrap_or_default()).collect())
     }
 
     /// Returns the scene with the method of traced rays, which is chosen for the first ones.

@@ -136,6 +136,23 @@ def test_the_shadow_is_3_sqrt_3_wide():
     assert abs(captured.max() - math.sqrt(27)) < 2e-5
 
 
+def test_crossings_of_a_shell():
+    shell = {
+        **HOLE,
+        "materials": {"shell": {"kind": "emissive", "color": [1, 1, 1]}},
+        "objects": [{"shape": "sphere", "material": "shell", "radius": 8}],
+    }
+    x = [[-25.0, y, 0.0] for y in (0.0, 2.0, 4.0, 24.0)]
+    found = bentray.Scene(shell).trace(x, [1, 0, 0], crossings=True)["crossings"]
+    assert found["r"].shape == (4, 4) and found["x"].shape == (4, 4, 3)
+    assert np.allclose(found["r"][:3, 0], 8, rtol=1e-6) and np.isnan(found["r"][3]).all() and np.isnan(found["r"][:, 1:]).all()
+    assert list(found["object"][:, 0]) == [0, 0, 0, -1]
+    clock = lambda r: np.sqrt(1 - 2 / r)
+    start = np.linalg.norm(x, axis=1)[:3]
+    # The ratio of the clocks of the shell and of the static observer at the start.
+    assert np.allclose(found["g"][:3, 0], clock(8) / clock(start), rtol=1e-5)
+
+
 def test_paths_lead_to_the_ends():
     x = [[-40, b, 0] for b in (3.0, 6.0, 20.0)]
     ends = bentray.Scene(HOLE).trace(x, [1, 0, 0], paths=True)

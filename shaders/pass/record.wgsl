@@ -25,6 +25,11 @@ fn record(own: Invocation) {
         load_region(pixel);
         let ray = load_ended(pixel);
         let seen = recorded_at(ray, load_hit(pixel));
+        if KEEPS_CROSSINGS {
+            if ray.status == HIT {
+                add_crossing(pixel, hit_surface(load_hit(pixel).primitive, seen.end.x), seen.end);
+            }
+        }
         let segments = Real(ray.index) + seen.end.fraction;
         let i = place_in_tile(pixel);
         records[i] = Record(

@@ -49,6 +49,11 @@ fn shade_ray(pixel: vec2u, ray: Ray, end: Hit) {
         see_through(pixel, code, seen.end.x);
     }
     keep_layers(pixel, ray, seen);
+    if KEEPS_CROSSINGS {
+        if code == HIT {
+            add_crossing(pixel, hit_surface(end.primitive, seen.end.x), seen.end);
+        }
+    }
     keep_corner(pixel, ray, seen);
 }
 

@@ -22,12 +22,34 @@ var<uniform> frequency: Frequency;
 var<private> ray_kept: Real2;
 // The redshift of the surface or sky that the ray saw, if any.
 var<private> seen_shift: Real;
+// dx/dλ divided by the velocity, where matter emits the light.
+var<private> matter_scale: Real;
+
+fn note_kept(pixel: vec2u) {
+    if IS_GIVEN {
+        note_given(pixel);
+        return;
+    }
+    let d = picture_ray(sampled_pixel(pixel)).d;
+    ray_kept = Real2(frequency.energy_rest + dot(frequency.energy_along, d), frequency.turning_rest + dot(frequency.turning_along, d));
+}
 
 // The source of the sky's light is static, far away.
 fn note_frequency(pixel: vec2u, ray: Ray) {
-    let d = picture_ray(sampled_pixel(pixel)).d;
-    ray_kept = Real2(frequency.energy_rest + dot(frequency.energy_along, d), frequency.turning_rest + dot(frequency.turning_along, d));
+    note_kept(pixel);
     seen_shift = select(0.0, 1.0 / ray_kept.x, ray.status == ESCAPED || ray.status == MISSED);
+}
+
+// The frequency of a given ray is 1 for a static observer at its start, or at infinity if it comes from there.
+fn note_given(pixel: vec2u) {
+    let own = picture_ray(sampled_pixel(pixel));
+    let start = arrived(own);
+    let momentum = law_momentum(start.x, path_velocity(law_start(start.x, start.d)[1].xyz));
+    var clock: Real = 1.0;
+    if all(start.x == own.x) {
+        clock = sqrt(max(-law_square(start.x, Real4(0.0, 0.0, 0.0, 1.0)), 0.0));
+    }
+    ray_kept = (clock / momentum.w) * Real2(momentum.w, dot(cross(frequency.axis, law_arm(start.x)), momentum.xyz));
 }
 
 fn note_matter(material: Material, end: PathPoint) {
@@ -39,6 +61,9 @@ fn note_matter(material: Material, end: PathPoint) {
     let known = Real2(momentum.w, dot(around, momentum.xyz));
     let weighed = Real2(known.x, weight * known.y);
     let factor = dot(weighed, ray_kept) / dot(weighed, known);
+    if KEEPS_CROSSINGS {
+        matter_scale = factor;
+    }
     let turning = weight * dot(around, u.xyz);
     let other = u.xyz - turning * around;
     seen_shift = 1.0 / (u.w * ray_kept.x + turning * ray_kept.y + factor * dot(other, momentum.xyz));

@@ -15,14 +15,31 @@ var<private> ray_scale: Real;
 var<private> ray_stretch: Real;
 // The redshift of the surface or sky that the ray saw, if any.
 var<private> seen_shift: Real;
+// dx/dλ divided by the velocity, where matter emits the light.
+var<private> matter_scale: Real;
 
 fn note_end(p: Phase) {
     ray_stretch = p[0].w;
 }
 
 fn note_frequency(pixel: vec2u, ray: Ray) {
-    ray_scale = frequency.rest + dot(frequency.along, picture_ray(sampled_pixel(pixel)).d);
     seen_shift = 0.0;
+    note_kept(pixel);
+}
+
+fn note_kept(pixel: vec2u) {
+    if IS_GIVEN {
+        note_given(pixel);
+        return;
+    }
+    ray_scale = frequency.rest + dot(frequency.along, picture_ray(sampled_pixel(pixel)).d);
+}
+
+// The frequency of a given ray is 1 for an observer at its start, at rest in these coordinates.
+fn note_given(pixel: vec2u) {
+    let start = arrived(picture_ray(sampled_pixel(pixel)));
+    let momentum = law_momentum_at(start.x, path_velocity(law_start(start.x, start.d)[1].xyz), 0.0);
+    ray_scale = sqrt(max(-law_square_at(start.x, Real4(0.0, 0.0, 0.0, 1.0), 0.0), 0.0)) / momentum.w;
 }
 
 // The source of the sky's light is at rest in these coordinates.
@@ -45,5 +62,8 @@ fn note_matter(material: Material, end: PathPoint) {
 fn note_shift(end: PathPoint, k: Real4) {
     let u = k * inverseSqrt(max(-law_square_at(end.x, k, end.tau), 1e-30));
     let momentum = law_momentum_at(end.x, end.v, end.tau);
+    if KEEPS_CROSSINGS {
+        matter_scale = real_exp(ray_stretch) * ray_scale;
+    }
     seen_shift = real_exp(-ray_stretch) / (ray_scale * dot(u, momentum));
 }

@@ -12,6 +12,9 @@ fn path_start(pixel: vec2u) -> Ray {
     start_region(start.x, start.d, pixel);
     let phase = opaque_phase(law_start(start.x, start.d));
     start_throughput(phase[0].xyz);
+    if KEEPS_CROSSINGS {
+        begin_crossings(pixel, phase[0].xyz);
+    }
     var ray = Ray(phase, 0.0, 0.0, first_memory(phase), 0.0, 0u, 0u, 0u, start.status);
     if ray.status == ALIVE && law_captured(phase[0].xyz, phase[1].xyz) {
         ray.status = CAPTURED;

@@ -23,7 +23,10 @@ use crate::measure::{Curve, drift};
 use crate::output::csv::read_rays;
 use crate::output::plot::check_plot;
 use crate::output::table::Table;
-use crate::render::{PathPoint, RenderSettings, StartUp, Traced, pixel_starts, trace, trace_paths};
+use crate::program::Layer;
+use crate::render::{
+    self, Crossing, PathPoint, RenderSettings, StartUp, Traced, Tracer, pixel_starts, trace, trace_paths,
+};
 use crate::scene::{CutPlane, Scene};
 
 /// Trace given rays with the same passes as an image, and write their end points or draw their paths
@@ -52,6 +55,10 @@ pub(super) struct Arguments {
     /// Write the end of every segment instead of the end of the path
     #[arg(long, requires = "output")]
     path: bool,
+    /// Write the first four crossings of each ray with translucent surfaces, and the surface on which it ends, instead of the end of the
+    /// path: position, radius r, azimuth φ, time t, redshift factor g, and the angle to the surface normal
+    #[arg(long, requires = "output", conflicts_with = "path")]
+    crossings: bool,
     /// Draw the paths in a plane, as SVG or PNG, with the surfaces that intersect it
     #[arg(long, value_name = "FILE", value_parser = paths::file())]
     plot: Option<PathBuf>,
@@ -97,6 +104,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Error> {
     }
     let mut starts = Starts::of(arguments, scene.law.facts().ignores_direction.is_none())?;
     let mut table = match &arguments.output {
+        Some(output) if arguments.crossings => Some(Table::create::<(usize, usize, &Crossing)>(output)?),
         Some(output) if arguments.path => Some(Table::create::<(usize, usize, &PathPoint)>(output)?),
         Some(output) => Some(Table::create::<(usize, &Traced)>(output)?),
         None => None,
@@ -108,10 +116,14 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Error> {
     let rays = &starts.rays;
     let Settled { scene, settings, .. } =
         settle(&gpu, (&film, None), scene, settings, Rays::Given(rays), &mut StartUp::default())?;
-    if !arguments.path && (table.is_some() || arguments.drift) {
+    if let Some(table) = table.as_mut().filter(|_| arguments.crossings) {
+        write_crossings(&gpu, &scene, &settings, (&starts, &arguments.pixel), table)?;
+    }
+    let ends = table.is_some() && !arguments.path && !arguments.crossings;
+    if ends || arguments.drift {
         let (traced, totals) = trace(&gpu, &scene, &settings, rays)?;
         for (i, ray) in traced.iter().enumerate() {
-            table.as_mut().map_or(Ok(()), |table| table.write(&(i, ray)))?;
+            table.as_mut().filter(|_| ends).map_or(Ok(()), |table| table.write(&(i, ray)))?;
         }
         tell!("{totals}");
         warn(&totals);
@@ -177,6 +189,38 @@ impl Starts {
         }
         Ok(())
     }
+}
+
+/// The number of pixels in a row of the list.
+const PIXELS_A_ROW: u32 = 1024;
+
+/// Writes the crossings of given rays and of the camera's rays, which come last.
+fn write_crossings(
+    gpu: &Gpu,
+    scene: &Scene,
+    settings: &RenderSettings,
+    (starts, pixels): (&Starts, &[[u32; 2]]),
+    table: &mut Table,
+) -> Result<(), Error> {
+    let mut settings = settings.clone();
+    settings.options.layers = vec![Layer::CrossingRadius];
+    let given = &starts.rays[..starts.rays.len() - pixels.len()];
+    let parts =
+        [(render::Starts::Given(given), given.len()), (render::Starts::Pixels(pixels, PIXELS_A_ROW), pixels.len())];
+    let mut first = 0;
+    for (part, count) in parts.into_iter().filter(|(_, count)| *count > 0) {
+        let mut tracer = Tracer::new(gpu, scene, settings.clone(), part.mode())?;
+        let (_, totals) = tracer.follow(part)?;
+        for (ray, crossings) in (first..).zip(tracer.crossings()) {
+            for (order, crossing) in crossings.iter().flatten().enumerate() {
+                table.write(&(ray, order, crossing))?;
+            }
+        }
+        first += count;
+        tell!("{totals}");
+        warn(&totals);
+    }
+    Ok(())
 }
 
 /// The initial fraction of an attractor's orbit that is not drawn, because it has not converged yet.

@@ -14,7 +14,7 @@ use super::ray_tree::{RayNode, object_tree, ray_tree};
 use super::records::{pack, pack_shared};
 use super::source::Uploads;
 use crate::model::Value::{self, Float, Uint, Uint4, Vec3};
-use crate::model::camera::{frequency, observer};
+use crate::model::camera::{Camera, frequency, frequency_of_given, observer};
 use crate::model::shape::{Primitive, SOLIDS};
 use crate::model::{Binding, Capture, Material, Object, RigidMotion, Row, row};
 use crate::program::{Layout, Obstacle, constant};
@@ -30,8 +30,12 @@ impl Uploads<'_> {
         let captures = Binding::list("capture_spheres", self.captures());
         let observer = scene.camera.as_ref().and_then(|camera| observer(&*scene.law, camera));
         let observer = observer.map(|row| Binding::one("observer", row));
-        let frequency =
-            scene.camera.as_ref().and_then(|camera| frequency(&*scene.law, camera, scene.keeps_turning(camera)));
+        let seen = |camera: &Camera| frequency(&*scene.law, camera, scene.keeps_turning(camera));
+        let frequency = if self.program.features.mode.is_given() {
+            Some(frequency_of_given(&*scene.law, !scene.deflects()))
+        } else {
+            scene.camera.as_ref().and_then(seen)
+        };
         let frequency = frequency.map(|row| Binding::one("frequency", row));
         laws.chain(camera)
             .chain(observer)

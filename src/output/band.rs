@@ -23,6 +23,15 @@ pub const fn channels(layer: Layer) -> &'static [&'static str] {
         Layer::Accumulated => &["accumulated.R", "accumulated.G", "accumulated.B"],
         Layer::LuminanceM2 => &["luminance_m2"],
         Layer::ImageOrder => &["image_order.0", "image_order.1", "image_order.2"],
+        Layer::CrossingRadius => &["crossing_radius.0", "crossing_radius.1", "crossing_radius.2", "crossing_radius.3"],
+        Layer::CrossingAzimuth => {
+            &["crossing_azimuth.0", "crossing_azimuth.1", "crossing_azimuth.2", "crossing_azimuth.3"]
+        }
+        Layer::CrossingTime => &["crossing_time.0", "crossing_time.1", "crossing_time.2", "crossing_time.3"],
+        Layer::CrossingRedshift => {
+            &["crossing_redshift.0", "crossing_redshift.1", "crossing_redshift.2", "crossing_redshift.3"]
+        }
+        Layer::CrossingAngle => &["crossing_angle.0", "crossing_angle.1", "crossing_angle.2", "crossing_angle.3"],
         Layer::Way => &["way.X", "way.Y", "way.Z"],
     }
 }
@@ -56,7 +65,7 @@ pub(super) fn arrays(settings: &FileSettings) -> Vec<ArrayKind> {
         name: layer.name(),
         count: channels(*layer).len(),
         is_whole: layer.kind() == LayerKind::Id,
-        is_length: matches!(layer, Layer::Depth | Layer::Position),
+        is_length: matches!(layer, Layer::Depth | Layer::Position | Layer::CrossingRadius),
     });
     std::iter::once(float("color", 3)).chain(alpha).chain(layers).collect()
 }
@@ -66,6 +75,7 @@ pub(super) fn components(plane: &Plane) -> Vec<&[u8]> {
     match plane {
         Plane::Scalar(plane) => vec![bytemuck::cast_slice(plane)],
         Plane::Vector(planes) => planes.iter().map(|p| bytemuck::cast_slice(p)).collect(),
+        Plane::Crossings(planes) => planes.iter().map(|p| bytemuck::cast_slice(p)).collect(),
         Plane::Id(plane) => vec![bytemuck::cast_slice(plane)],
     }
 }
@@ -74,6 +84,7 @@ fn suits(plane: &Plane, layer: Layer) -> bool {
     let kind = match plane {
         Plane::Scalar(_) => LayerKind::Scalar,
         Plane::Vector(_) => LayerKind::Vector,
+        Plane::Crossings(_) => LayerKind::Crossings,
         Plane::Id(_) => LayerKind::Id,
     };
     kind == layer.kind()

@@ -8,7 +8,7 @@ use std::path::Path;
 
 use super::npy::{array_file, write_archive};
 use super::{AtomicFile, OutputError, has_extension};
-use crate::render::{PathPoint, Traced};
+use crate::render::{Crossing, PathPoint, Traced};
 
 /// A path from a light to a position, or its absence.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -72,6 +72,19 @@ impl Row for (usize, usize, &PathPoint) {
         let (ray, place, PathPoint { x, v, tau }) = *self;
         let numbers = [*x, *v].concat().into_iter().chain([*tau]).map(|value| Field::Number(Some(value)));
         [index(ray), index(place)].into_iter().chain(numbers).collect()
+    }
+}
+
+/// A ray by its index in the input, the order of a crossing, and the crossing.
+impl Row for (usize, usize, &Crossing) {
+    const COLUMNS: &'static [&'static str] =
+        &["ray", "order", "object", "x", "y", "z", "tau", "r", "phi", "t", "g", "angle"];
+
+    fn fields(&self) -> Vec<Field> {
+        let (ray, order, Crossing { object, x, tau, radius, azimuth, time, redshift, angle }) = *self;
+        let first = [index(ray), index(order), index(*object as usize)];
+        let place = x.iter().chain([tau, radius, azimuth]).map(|value| Some(*value));
+        first.into_iter().chain(place.chain([*time, *redshift, *angle]).map(Field::Number)).collect()
     }
 }
 

@@ -43,6 +43,7 @@ pub(super) fn band_of(
     let mut plane = |layer| match channels_of(layer) {
         [name] if layer.kind() == LayerKind::Id => Plane::Id(bytemuck::cast_vec(floats(name))),
         [x, y, z] => Plane::Vector([x, y, z].map(|name| floats(name))),
+        [a, b, c, d] => Plane::Crossings([a, b, c, d].map(|name| floats(name))),
         names => Plane::Scalar(names.first().map(|name| floats(name)).unwrap_or_default()),
     };
     let layers = settings.layers.iter().map(|layer| (*layer, plane(*layer))).collect();

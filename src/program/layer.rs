@@ -31,6 +31,16 @@ pub enum Layer {
     LuminanceM2,
     /// The luminance of the light from the ray's first, second and third crossing of a translucent surface.
     ImageOrder,
+    /// The radius of the first crossings of translucent surfaces, in scene units; 0 for none, as in the next four.
+    CrossingRadius,
+    /// The azimuth of these crossings, in radians.
+    CrossingAzimuth,
+    /// The travel time of light from these crossings, in scene units.
+    CrossingTime,
+    /// The redshift factor g of light from these crossings.
+    CrossingRedshift,
+    /// The angle between light and the normal of the surface at these crossings, in radians, in the frame of the surface.
+    CrossingAngle,
     /// The direction of the ray at its end, with the path length as its
     /// magnitude; used by measurements on images, and not written to files.
     Way,
@@ -43,9 +53,14 @@ pub enum LayerKind {
     Scalar,
     /// Three numbers.
     Vector,
+    /// A number for each of the first [`CROSSINGS`] crossings.
+    Crossings,
     /// A whole number.
     Id,
 }
+
+/// The largest number of crossings of translucent surfaces that are stored for a ray.
+pub const CROSSINGS: usize = 4;
 
 impl Layer {
     /// Returns why images of a scene cannot have this layer, if they cannot.
@@ -67,8 +82,24 @@ impl Layer {
                 "the layer `image_order` requires surfaces with `opacity` below 1, and cannot be combined with \
                  transparent objects, ray splitters, image.adaptive or rays.max_splits = \"stochastic\"",
             ),
+            layer if layer.is_of_crossings() && !scene.has_crossings() => Some(
+                "the layers of crossings require objects, and cannot be combined with lighting = \"path-tracing\", \
+                 image.adaptive or rays.max_splits = \"stochastic\"",
+            ),
+            Self::CrossingRedshift if !scene.has_frequencies() => Some(
+                "the layer `crossing_redshift` requires camera.observer and a law that defines the frequency of light",
+            ),
+            Self::CrossingTime if !scene.law.facts().keeps_time => Some(
+                "the layer `crossing_time` requires a law whose τ is a time, such as law.kind = \"kerr-newman\" for any black hole",
+            ),
             _ => None,
         }
+    }
+
+    /// Returns `true` if the layer describes the crossings of translucent surfaces.
+    #[must_use]
+    pub fn is_of_crossings(self) -> bool {
+        self.kind() == LayerKind::Crossings
     }
 
     /// Returns the type of the layer's values.
@@ -79,12 +110,17 @@ impl Layer {
                 LayerKind::Scalar
             }
             Self::Position | Self::Normal | Self::Way | Self::Accumulated | Self::ImageOrder => LayerKind::Vector,
+            Self::CrossingRadius
+            | Self::CrossingAzimuth
+            | Self::CrossingTime
+            | Self::CrossingRedshift
+            | Self::CrossingAngle => LayerKind::Crossings,
             Self::Status | Self::Steps | Self::Samples => LayerKind::Id,
         }
     }
 
     /// Every layer that files can store.
-    pub const ALL: [Self; 13] = [
+    pub const ALL: [Self; 18] = [
         Self::Depth,
         Self::Segments,
         Self::Position,
@@ -98,15 +134,20 @@ impl Layer {
         Self::Accumulated,
         Self::LuminanceM2,
         Self::ImageOrder,
+        Self::CrossingRadius,
+        Self::CrossingAzimuth,
+        Self::CrossingTime,
+        Self::CrossingRedshift,
+        Self::CrossingAngle,
     ];
 
-    /// Returns `true` if the layer describes a pixel's first ray, stored when it is shaded. Other layers describe all rays of a pixel.
+    /// Returns `true` if the layer describes a pixel's first ray. Other layers describe all rays of a pixel.
     #[must_use]
     pub fn is_of_a_ray(self) -> bool {
         !matches!(self, Self::Samples | Self::StandardError | Self::Accumulated | Self::LuminanceM2 | Self::ImageOrder)
     }
 
-    /// Returns the name. For the layer of a ray, `keep_NAME` is the function
+    /// Returns the name. For the layer of a ray's end, `keep_NAME` is the function
     /// in `shaders/picture/layers.wgsl`, and `layer_NAME` the stored value.
     #[must_use]
     pub fn name(self) -> &'static str {
@@ -124,6 +165,11 @@ impl Layer {
             Self::Accumulated => "accumulated",
             Self::LuminanceM2 => "luminance_m2",
             Self::ImageOrder => "image_order",
+            Self::CrossingRadius => "crossing_radius",
+            Self::CrossingAzimuth => "crossing_azimuth",
+            Self::CrossingTime => "crossing_time",
+            Self::CrossingRedshift => "crossing_redshift",
+            Self::CrossingAngle => "crossing_angle",
             Self::Way => "way",
         }
     }
@@ -149,6 +195,11 @@ impl Layer {
             Self::ImageOrder => {
                 "Luminance of the light from the first, second and third crossing of a translucent surface"
             }
+            Self::CrossingRadius => "Radius r of the first four crossings of translucent surfaces; 0 for none",
+            Self::CrossingAzimuth => "Azimuth φ of these crossings, in radians",
+            Self::CrossingTime => "Travel time t of light from these crossings, in scene units",
+            Self::CrossingRedshift => "Redshift factor g of light from these crossings",
+            Self::CrossingAngle => "Angle between light and the surface normal at these crossings, in radians",
             Self::Way => "Direction of the ray at its end",
         }
     }

@@ -59,7 +59,7 @@ pub use options::{Mode, Pass, ProgramOptions, RaySkipping, Schedule};
 
 pub use generated::{all_shots, solid_code, solid_codes};
 pub use interface::{Access, Role, SceneValue, Slot, StatePart};
-pub use layer::{Layer, LayerKind};
+pub use layer::{CROSSINGS, Layer, LayerKind};
 pub use link::{link, link_all};
 pub use linked::LinkedProgram;
 pub use location::Location;

@@ -42,6 +42,9 @@ pub(super) fn camera_parts(scene: &Scene, features: &Features, names: &mut Names
 
 /// Adds the modules that process the light.
 pub(super) fn picture_parts(scene: &Scene, features: &Features, names: &mut Names) -> Result<(), ProgramError> {
+    names.when(features.keeps_crossings, &["segment/crossings"]);
+    names.when(features.is_picture() || features.knows_shift, &[shift_part(features)]);
+    names.when(features.knows_shift, scene.law.facts().momentum_parts);
     if !features.is_picture() {
         return Ok(());
     }
@@ -54,18 +57,20 @@ pub(super) fn picture_parts(scene: &Scene, features: &Features, names: &mut Name
         }
         None => names.add(scene.sky.part()),
     }
-    shift_parts(scene, features, names);
     names.when(features.keeps_orders, &["picture/orders_kept"]);
     names.when(features.layers.contains(&Layer::Depth), &["picture/path_length"]);
-    let layers = features.layers.iter().filter(|layer| layer.is_of_a_ray()).map(|layer| layer.name());
+    let layers = features
+        .layers
+        .iter()
+        .filter(|layer| layer.is_of_a_ray() && !layer.is_of_crossings())
+        .map(|layer| layer.name());
     names.make(generated::layers(&layers.collect::<Vec<_>>()));
     Ok(())
 }
 
-/// Adds the modules for the redshift.
-fn shift_parts(scene: &Scene, features: &Features, names: &mut Names) {
-    names.add(if features.follows_shift { "picture/shift_in_time" } else { "picture/shift" });
-    names.when(features.knows_shift, scene.law.facts().momentum_parts);
+/// Returns the module for the redshift.
+fn shift_part(features: &Features) -> &'static str {
+    if features.follows_shift { "picture/shift_in_time" } else { "picture/shift" }
 }
 
 /// Returns the module that selects the pixels that take a sample, and stores values at their corners.

@@ -1,6 +1,6 @@
 //! Reflection of a linked program: validation by naga, and the bindings and layouts that the host would otherwise repeat.
 
-use naga::{AddressSpace, ArraySize, ImageClass, Module, ScalarKind, StorageAccess, TypeInner};
+use naga::{AddressSpace, ArraySize, ImageClass, Module, ScalarKind, StorageAccess, TypeInner, VectorSize};
 
 use super::ProgramError;
 use super::interface::{PICTURE, Role, SceneValue};
@@ -256,6 +256,8 @@ fn field(module: &Module, member: &naga::StructMember) -> Option<Field> {
         TypeInner::Vector { size, scalar } => (scalar, u32::from(u8::from(size))),
         TypeInner::Array { base, size: ArraySize::Constant(count), .. } => match module.types[base].inner {
             TypeInner::Scalar(scalar) | TypeInner::Atomic(scalar) => (scalar, count.get()),
+            // Without padding between elements.
+            TypeInner::Vector { size: VectorSize::Quad, scalar } => (scalar, 4 * count.get()),
             _ => return None,
         },
         _ => return None,

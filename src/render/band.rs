@@ -3,7 +3,7 @@
 use rayon::prelude::*;
 
 use super::{RenderError, Totals};
-use crate::program::{Layer, LayerKind};
+use crate::program::{CROSSINGS, Layer, LayerKind};
 
 /// Returns the bits of a component of a pixel.
 pub(super) type Words<'w> = dyn Fn(usize, usize) -> u32 + Sync + 'w;
@@ -15,6 +15,8 @@ pub enum Plane {
     Scalar(Vec<f32>),
     /// Three numbers per pixel, by component.
     Vector([Vec<f32>; 3]),
+    /// A number for each of the first crossings of translucent surfaces, by crossing.
+    Crossings([Vec<f32>; CROSSINGS]),
     /// One integer per pixel.
     Id(Vec<u32>),
 }
@@ -115,6 +117,10 @@ impl TilePlace {
                 let planes = values.each_mut().map(Vec::as_mut_slice);
                 self.put(planes, width, |pixel| [0, 1, 2].map(|k| float(pixel, k)));
             }
+            Plane::Crossings(values) => {
+                let planes = values.each_mut().map(Vec::as_mut_slice);
+                self.put(planes, width, |pixel| std::array::from_fn(|k| float(pixel, k)));
+            }
         }
     }
 }
@@ -123,6 +129,7 @@ fn empty_plane(layer: Layer, pixels: usize) -> Plane {
     match layer.kind() {
         LayerKind::Scalar => Plane::Scalar(vec![0.0; pixels]),
         LayerKind::Vector => Plane::Vector([vec![0.0; pixels], vec![0.0; pixels], vec![0.0; pixels]]),
+        LayerKind::Crossings => Plane::Crossings(std::array::from_fn(|_| vec![0.0; pixels])),
         LayerKind::Id => Plane::Id(vec![0; pixels]),
     }
 }
@@ -145,6 +152,9 @@ impl Band {
                 (Plane::Scalar(values), Plane::Scalar(more)) => values.extend(more),
                 (Plane::Id(values), Plane::Id(more)) => values.extend(more),
                 (Plane::Vector(values), Plane::Vector(more)) => {
+                    values.iter_mut().zip(more).for_each(|(values, more)| values.extend(more));
+                }
+                (Plane::Crossings(values), Plane::Crossings(more)) => {
                     values.iter_mut().zip(more).for_each(|(values, more)| values.extend(more));
                 }
                 _ => {}

@@ -15,6 +15,7 @@ mod adaptive;
 mod band;
 mod batch;
 mod clock;
+mod crossings;
 mod error;
 mod grids;
 mod light_grid;
@@ -52,6 +53,7 @@ mod watch;
 mod window;
 
 pub use band::{Band, Plane, Rendering};
+pub use crossings::{Crossing, Crossings};
 pub use error::RenderError;
 pub use grids::{GridSource, LightReport};
 pub use light_grid::light_grids;

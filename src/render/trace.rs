@@ -2,14 +2,16 @@
 
 use std::borrow::Cow;
 
+use super::crossings::{Crossings, crossings};
 use super::grids::LightGrids;
 use super::prepared::Prepared;
 use super::ray_tiles::{BATCH, ROW, captured_at, is_swallowed, pixel_tile, ray_tile, read_records};
+use super::records::Records;
 use super::tile::TileEnd;
 use super::{RenderError, RenderSettings, Status, Totals, Traced};
 use crate::gpu::{Gpu, GpuError, Tile};
 use crate::model::Control;
-use crate::program::Mode;
+use crate::program::{Mode, Role};
 use crate::scene::Scene;
 
 /// The rays to follow.
@@ -106,6 +108,7 @@ pub struct Tracer<'a> {
     pub(super) prepared: Prepared<'a>,
     /// The tile of the previous rays, for the next ones.
     tile: Option<Tile>,
+    crossings: Vec<Crossings>,
 }
 
 impl<'a> Tracer<'a> {
@@ -145,8 +148,9 @@ impl<'a> Tracer<'a> {
 
     fn of(gpu: &'a Gpu, scene: Cow<'a, Scene>, mut settings: RenderSettings, mode: Mode) -> Result<Self, RenderError> {
         settings.options.mode = mode;
-        settings.options.layers.clear();
-        Ok(Self { prepared: Prepared::new(gpu, scene, settings, LightGrids::default())?, tile: None })
+        settings.options.layers.retain(|layer| layer.is_of_crossings());
+        let prepared = Prepared::new(gpu, scene, settings, LightGrids::default())?;
+        Ok(Self { prepared, tile: None, crossings: Vec::new() })
     }
 
     /// Changes the parameters of the step control and the maximum number of segments of a path. The kind of control stays, and no pass is
@@ -167,6 +171,7 @@ impl<'a> Tracer<'a> {
     /// Returns [`RenderError::Gpu`] if the device fails or has too little memory, or if `starts` is of another purpose.
     pub fn follow(&mut self, starts: Starts) -> Result<(Vec<Traced>, Totals), RenderError> {
         let prepared = &mut self.prepared;
+        self.crossings.clear();
         let mut totals = Totals::default();
         let mut clock = super::clock::Clock::new(prepared.gpu, true);
         let started = std::time::Instant::now();
@@ -185,6 +190,10 @@ impl<'a> Tracer<'a> {
                 continue;
             }
             read_records(prepared, &tile, part.len(), &mut traced)?;
+            if prepared.program.features.keeps_crossings {
+                let pixels = Records::read(prepared.gpu, &prepared.program, &tile, &Role::Pixels)?;
+                self.crossings.extend(crossings(&pixels, &prepared.scene).into_iter().take(part.len()));
+            }
             let law = prepared.scene.law.facts();
             if let Starts::Given(rays) = starts
                 && law.swallows.is_some()
@@ -199,6 +208,13 @@ impl<'a> Tracer<'a> {
         totals.rays = count as u64;
         totals.by_status = count_by_status(&traced);
         Ok((traced, totals))
+    }
+
+    /// Returns where the rays of the last call of [`follow`](Self::follow) crossed translucent surfaces and ended on surfaces, in the same
+    /// order; empty unless the layers of the settings include one of crossings, which selects all their values.
+    #[must_use]
+    pub fn crossings(&self) -> &[Crossings] {
+        &self.crossings
     }
 }
 

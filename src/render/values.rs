@@ -2,6 +2,7 @@
 
 use super::adaptive::Moments;
 use super::band::{Band, TilePlace, Words};
+use super::crossings::{Crossings, crossings};
 use super::noise::luminance;
 use super::records::Records;
 use super::watch::Round;
@@ -13,6 +14,7 @@ use crate::program::{Layer, Role};
 pub(super) struct Values<'r> {
     pixels: Records<'r>,
     moments: Option<Vec<Moments>>,
+    crossings: Vec<Crossings>,
     size: [u32; 2],
     margin: u32,
 }
@@ -22,8 +24,9 @@ impl Renderer<'_> {
     pub(super) fn read_values(&self, tile: &Tile) -> Result<Values<'_>, RenderError> {
         let roles = [&Role::Pixels, &Role::Moments];
         let [pixels, moments] = Records::read_all(self.prepared.gpu, &self.prepared.program, tile, roles)?;
-        let margin = self.prepared.program.features.margin();
-        Ok(Values { pixels, moments: Moments::of(&moments), size: tile.size, margin })
+        let features = &self.prepared.program.features;
+        let crossings = if features.keeps_crossings { crossings(&pixels, &self.prepared.scene) } else { Vec::new() };
+        Ok(Values { pixels, moments: Moments::of(&moments), crossings, size: tile.size, margin: features.margin() })
     }
 }
 
@@ -99,6 +102,10 @@ impl Values<'_> {
                 let (sums, weight) = (self.pixels.column("orders")?, 1.0 / samples as f32);
                 Some(Box::new(move |pixel, k| (f32::from_bits(sums(pixel, k)) * weight).to_bits()))
             }
+            (layer, _) if layer.is_of_crossings() => Some(Box::new(move |pixel, k| {
+                let crossing = self.crossings.get(pixel).and_then(|crossings| crossings[k]);
+                (crossing.map_or(0.0, |crossing| crossing.value(layer)) as f32).to_bits()
+            })),
             (layer, _) => column(&format!("layer_{}", layer.name())),
         }
     }

@@ -144,6 +144,9 @@ impl EarlierSamples {
                 (Plane::Vector(own), Some(Plane::Vector(all))) => {
                     own.iter_mut().zip(all).for_each(|(own, all)| own.copy_from_slice(&all[range.clone()]));
                 }
+                (Plane::Crossings(own), Some(Plane::Crossings(all))) => {
+                    own.iter_mut().zip(all).for_each(|(own, all)| own.copy_from_slice(&all[range.clone()]));
+                }
                 _ => {}
             }
         }

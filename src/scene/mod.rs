@@ -138,8 +138,14 @@ impl Scene {
     /// Returns `true` if light has a frequency for the observer at the camera.
     #[must_use]
     pub fn has_frequencies(&self) -> bool {
+        self.has_frequencies_of(false)
+    }
+
+    /// Returns `true` if light has a frequency: for the observer at the camera, or if rays are given, for one at the start of each ray.
+    #[must_use]
+    pub fn has_frequencies_of(&self, is_given: bool) -> bool {
         let knows = |camera: &Camera| camera.observer != Observer::Coordinate && camera.is_at_one_place();
-        let is_seen = self.camera.as_ref().is_some_and(knows);
+        let is_seen = is_given || self.camera.as_ref().is_some_and(knows);
         is_seen && !self.law.facts().momentum_parts.is_empty() && self.rays.path_tracing.is_none()
     }
 

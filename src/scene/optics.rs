@@ -11,14 +11,20 @@ impl Scene {
     /// interior deflects it, and it does not reach the bounding sphere in a straight line from outside.
     #[must_use]
     pub fn keeps_turning(&self, camera: &Camera) -> bool {
+        let Bound { radius, .. } = self.rays.bounding_sphere;
+        let centers = self.rays.bounding_sphere.centers(Some(&*self.law));
+        let is_within = centers.iter().any(|center| center.distance(camera.position) <= radius);
+        (is_within || self.rays.sky_at_infinity) && !self.deflects()
+    }
+
+    /// Returns `true` if a surface or an interior changes the direction of rays.
+    #[must_use]
+    pub fn deflects(&self) -> bool {
         let deflects = |object: &Object| {
             object.interior().is_some()
                 || self.material_of(object).is_some_and(|material| material.surface.facts().deflects)
         };
-        let Bound { radius, .. } = self.rays.bounding_sphere;
-        let centers = self.rays.bounding_sphere.centers(Some(&*self.law));
-        let is_within = centers.iter().any(|center| center.distance(camera.position) <= radius);
-        (is_within || self.rays.sky_at_infinity) && !self.objects.iter().any(deflects)
+        self.objects.iter().any(deflects)
     }
 }
 

@@ -34,6 +34,13 @@ impl Scene {
         self.has_translucent() && counts && !self.splits() && self.fans().is_empty()
     }
 
+    /// Returns `true` if the first ray of each pixel crosses all translucent surfaces on its path: it is not chosen at random.
+    #[must_use]
+    pub fn has_crossings(&self) -> bool {
+        let draws = self.rays.max_splits == Splitting::Random && self.scatters();
+        !self.objects.is_empty() && !draws && self.rays.path_tracing.is_none() && self.image.adaptive.is_none()
+    }
+
     /// Returns `true` if pixel footprints average textures or patterns, and there is something to average.
     #[must_use]
     pub fn has_footprints(&self) -> bool {

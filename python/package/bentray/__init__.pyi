@@ -72,12 +72,16 @@ class Scene:
         such as `depth` and `redshift`. `size` and `samples` replace those of the scene.
         """
 
-    def trace(self, x: ArrayLike, v: ArrayLike, *, paths: bool = False) -> dict[str, Any]:
+    def trace(
+        self, x: ArrayLike, v: ArrayLike, *, paths: bool = False, crossings: bool = False
+    ) -> dict[str, Any]:
         """Follow rays to their ends, backward in time: light arrives from the direction `v`.
 
         `x` and `v` are positions and velocities of the shape (rays, 3), or (3,) for all rays. Returns `status`, `x`, `v`, `tau`,
         `segments`, `steps`, `rejected` and `object`, which is -1 for none. With `paths`, it also returns `paths`, a list with the
-        points of each ray's path as an array of the shape (points, 3).
+        points of each ray's path as an array of the shape (points, 3). With `crossings`, it also returns `crossings`, a dict of arrays of
+        the shape (rays, 4): `object`, `x`, `tau`, `r`, `phi`, `t`, `g` and `angle` where the ray crosses translucent surfaces and where
+        it ends on a surface; NaN where there is none.
         """
 
     @property

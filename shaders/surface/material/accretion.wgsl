@@ -20,7 +20,7 @@ struct DiscOrbit {
 
 var<storage, read> orbits: array<DiscOrbit>;
 
-const ORBITS: u32 = 4096u;
+const ORBITS: u32 = 8192u;
 
 fn from_axis(x: Real3) -> Real3 {
     let d = x - equator.center;

@@ -14,6 +14,9 @@ fn scatter_ending(surface: Surface, end: PathPoint, index: u32, pixel: vec2u) ->
     if opacity >= 1.0 || is_settled() {
         return Scattered(end.v, vec3f(1.0), false, false);
     }
+    if KEEPS_CROSSINGS {
+        add_crossing(pixel, surface, end);
+    }
     let taken = chosen_branch(pixel, index, opacity);
     if taken.reflects {
         scale_throughput(vec3f(taken.throughput));

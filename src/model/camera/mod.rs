@@ -22,7 +22,7 @@ use crate::document::reader::TableReader;
 use crate::document::{self, Kinds};
 
 pub use fisheye::{Corners, Fisheye};
-pub use observer::{frequency, observer};
+pub use observer::{frequency, frequency_of_given, observer};
 pub use panorama::Panorama;
 pub use pinhole::Pinhole;
 pub use plane::Plane;

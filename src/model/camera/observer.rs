@@ -54,6 +54,22 @@ pub fn frequency(law: &dyn Law, camera: &Camera, turning_is_kept: bool) -> Optio
     })
 }
 
+/// Returns the uniforms for the frequency of given rays, whose momentum the device computes at their starts: the axis alone. Under a law that
+/// depends on t, they are 0.
+pub fn frequency_of_given(law: &dyn Law, turning_is_kept: bool) -> Row {
+    if law.facts().changes_with_time {
+        return row! { along: Vec3(DVec3::ZERO), rest: Float(0.0) };
+    }
+    let [_, axis] = law.equator().filter(|_| turning_is_kept).unwrap_or_default();
+    row! {
+        energy_along: Vec3(DVec3::ZERO),
+        energy_rest: Float(0.0),
+        turning_along: Vec3(DVec3::ZERO),
+        turning_rest: Float(0.0),
+        axis: Vec3(axis),
+    }
+}
+
 /// Returns the uniforms of the shader, or `None` if the camera uses coordinate directions.
 pub fn observer(law: &dyn Law, camera: &Camera) -> Option<Row> {
     let [x, y, z, rest] = axes(law, camera)?;

@@ -10,12 +10,13 @@
 //! *Length.* This file is over 300 lines, because no other code needs the host's description of this spacetime (horizons, frames, the edge
 //! of its shadow).
 
+use std::cmp::Ordering;
 use std::sync::Arc;
 
 use glam::{DMat4, DVec3, DVec4};
 
 use super::observer::{four_velocity, light_speed};
-use super::{CharacteristicSurface, Invariant, Kind, Law, LawProperties, Observer, Orbit, OrbitForm, Order};
+use super::{CharacteristicSurface, Invariant, Kind, Law, LawProperties, Observer, Orbit, OrbitForm, Order, Spherical};
 use crate::document::keys;
 use crate::document::values::{direction, length, mass, point};
 use crate::model::halved::halved;
@@ -122,6 +123,18 @@ impl KerrNewman {
     #[must_use]
     pub fn photon_orbit(&self) -> Option<f64> {
         self.circular_light(1.0)
+    }
+
+    /// Returns the integral of dr/Δ from infinity to r.
+    fn wound(&self, r: f64) -> f64 {
+        let from = r - self.mass;
+        let square = self.mass * self.mass - self.spin * self.spin - self.charge * self.charge;
+        let half = square.abs().sqrt();
+        match square.partial_cmp(&0.0) {
+            Some(Ordering::Greater) => ((from - half).abs() / (from + half)).ln() / (2.0 * half),
+            Some(Ordering::Less) => -half.atan2(from) / half,
+            _ => -1.0 / from,
+        }
     }
 
     /// Returns `true` if photon orbits extend into the capture region.
@@ -320,6 +333,18 @@ impl Law for KerrNewman {
 
     fn equator(&self) -> Option<[DVec3; 2]> {
         Some([self.center, self.axis])
+    }
+
+    /// Returns Boyer–Lindquist coordinates: with Δ = r² − 2Mr + a² + Q², ingoing Kerr–Schild coordinates have dφ + a dr/Δ and
+    /// dt + (2Mr − Q²) dr/Δ instead of dφ and dt, and x + iy = (r + ia) sin θ e^(iφ).
+    fn spherical(&self, x: DVec3) -> Option<Spherical> {
+        let Self { mass, spin, charge, .. } = *self;
+        let r = self.at(x).r;
+        let delta = r * r - 2.0 * mass * r + spin * spin + charge * charge;
+        let wound = self.wound(r);
+        let azimuth = Spherical::about(self.axis, x - self.center).azimuth - spin.atan2(r) - spin * wound;
+        let time_ahead = mass * (delta.abs() / (mass * mass)).ln() + (2.0 * mass * mass - charge * charge) * wound;
+        Some(Spherical { radius: r, azimuth: azimuth.sin().atan2(azimuth.cos()), time_ahead })
     }
 
     fn refuses_eye(&self, at: DVec3) -> Option<[String; 2]> {

@@ -135,6 +135,26 @@ pub struct LawProperties<'a> {
     pub refuses_interiors: Option<&'static str>,
 }
 
+/// A position in coordinates about an axis.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Spherical {
+    /// The radius, in scene units.
+    pub radius: f64,
+    /// The azimuth, from −π to π, counterclockwise about the axis.
+    pub azimuth: f64,
+    /// The difference of the law's time and the time in these coordinates at the same event, in scene units.
+    pub time_ahead: f64,
+}
+
+impl Spherical {
+    /// Returns the distance from a center and the azimuth about a unit vector; `d` is the vector from the center.
+    #[must_use]
+    pub fn about(axis: DVec3, d: DVec3) -> Self {
+        let (first, second) = axis.any_orthonormal_pair();
+        Self { radius: d.length(), azimuth: d.dot(second).atan2(d.dot(first)), time_ahead: 0.0 }
+    }
+}
+
 /// A structure of a law that other code depends on.
 #[derive(Debug, Clone, Copy)]
 pub enum Form<'a> {
@@ -310,6 +330,13 @@ pub trait Law: fmt::Debug + Send + Sync + DynEq {
     /// Returns the center and the axis of the matter on [`Observer::ProgradeOrbit`], if matter can orbit.
     fn equator(&self) -> Option<[DVec3; 2]> {
         None
+    }
+
+    /// Returns a position in the coordinates in which the spacetime is usually described, about [`equator`](Self::equator); `None` if there
+    /// is no equator.
+    fn spherical(&self, x: DVec3) -> Option<Spherical> {
+        let [center, axis] = self.equator()?;
+        Some(Spherical::about(axis, x - center))
     }
 
     /// Returns why no eye can be at a position: the text that follows the eye's name in the message, and the remedy.

@@ -11,6 +11,7 @@ use glam::DVec3;
 use super::{Primitive, RigidMotion, Shape, ball};
 use crate::assets::Transform;
 use crate::model::cross_section::{CutPlane, LocalPlane, Outline};
+use crate::model::law::Spherical;
 use crate::model::medium::Interior;
 
 /// A shape in object space with its placement and its substance.
@@ -90,6 +91,14 @@ impl Object {
     #[must_use]
     pub fn ball(&self) -> (DVec3, f64) {
         ball(self.shape.radius(), &self.transform)
+    }
+
+    /// Returns a position in coordinates about the object's center and its y axis, which is the normal of a disk.
+    #[must_use]
+    pub fn spherical(&self, x: DVec3) -> Spherical {
+        let map = self.transform.0;
+        let axis = (map.matrix3.inverse().transpose() * DVec3::Y).normalize_or(DVec3::Y);
+        Spherical::about(axis, x - map.translation)
     }
 
     /// Returns the lower and upper corner of a bounding box.

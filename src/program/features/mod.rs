@@ -186,6 +186,8 @@ pub struct Features {
     pub knows_shift: bool,
     /// The redshift is integrated along each path, because it is not conserved.
     pub follows_shift: bool,
+    /// The first crossings of translucent surfaces are stored.
+    pub keeps_crossings: bool,
     /// Light is separated by the crossing of translucent surfaces that it comes from.
     pub keeps_orders: bool,
 }
@@ -197,17 +199,16 @@ impl Features {
         let ProgramOptions { mode, masks, layers, device, .. } = options.clone();
         let is_picture = mode == Mode::Picture;
         let (facts, camera) = (scene.law.facts(), scene.camera.as_ref());
-        let rounds = rounds(scene, is_picture);
-        let shoots = scene.has_shadows(Shadows::Shooting);
+        let (rounds, shoots) = (rounds(scene, is_picture), scene.has_shadows(Shadows::Shooting));
         // A whole path fits into one pass if a sample follows one path, and the state need not be rounded between segments.
         let fits = is_picture && rounds == 1 && scene.rays.precision != Precision::Half && !shoots;
         let schedule = if options.schedule == Schedule::Whole && !fits { Schedule::Fused } else { options.schedule };
         let grids = || scene.lights.iter().filter(|light| light.shadows == Shadows::Grid);
         let beams = is_picture && camera.is_some_and(|camera| camera.redshift);
-        let knows_shift = beams || is_picture && layers.contains(&Layer::Redshift) && scene.has_frequencies();
+        let knows_shift = beams || keeps_shift(scene, options);
         let follows_paths = is_picture && scene.rays.path_tracing.is_some();
-        let joins_whole = regions.kinds.iter().all(|kind| joins_whole(scene, kind));
-        let ends_with_steps = ends_with_steps(scene);
+        let (joins_whole, ends_with_steps) =
+            (regions.kinds.iter().all(|kind| joins_whole(scene, kind)), ends_with_steps(scene));
         let (is_occluded, follows_lines) = (scene.is_occluded(), scene.lines().next().is_some());
         Self {
             mode,
@@ -217,7 +218,6 @@ impl Features {
             precision: scene.rays.precision,
             rounds,
             slots: slots(scene, schedule),
-
             has_objects: !scene.objects.is_empty(),
             keeps_taken: keeps_taken(scene, regions),
             keeps_w: facts.carries_time || scene.rays.control.kind.remembers || compensates_tau(scene),
@@ -278,13 +278,12 @@ impl Features {
             travels: scene.travels().next().is_some(),
             has_throat: facts.throat.is_some(),
             joins_whole,
-
             has_two_skies: is_picture && scene.sky_other_side.is_some(),
             sees_through: is_picture && scene.sky == Sky::Transparent,
             has_images: !scene.pictures.is_empty(),
             has_vertex_colors: scene.uses_vertex_colors(),
             is_transparent: scene.is_transparent(),
-            enumerates: is_picture && scene.scatters() && matches!(scene.rays.max_splits, Splitting::Enumerated(_)),
+            enumerates: is_picture && enumerates(scene),
             views: camera.and_then(|camera| Some(camera.stereo?.layout)),
             adapts: is_picture && scene.image.adaptive.is_some(),
             is_filmic: scene.output.tonemap == Tonemap::Filmic,
@@ -296,6 +295,7 @@ impl Features {
             shifts_hues: beams && camera.is_some_and(|camera| camera.color_shift),
             knows_shift,
             follows_shift: knows_shift && facts.changes_with_time,
+            keeps_crossings: keeps_crossings(scene, options),
             keeps_orders: is_picture && layers.contains(&Layer::ImageOrder) && scene.has_orders(),
             layers,
         }
@@ -351,8 +351,24 @@ impl Features {
     /// Returns `true` if the distance τ along the path is needed.
     #[must_use]
     pub fn asks_tau(&self) -> bool {
-        self.needs_arcs || !matches!(self.mode, Mode::Picture | Mode::Bare)
+        self.needs_arcs || self.keeps_crossings || !matches!(self.mode, Mode::Picture | Mode::Bare)
     }
+}
+
+/// Returns `true` if both rays of a split are followed, one after the other.
+fn enumerates(scene: &Scene) -> bool {
+    scene.scatters() && matches!(scene.rays.max_splits, Splitting::Enumerated(_))
+}
+
+/// Returns `true` if the crossings of translucent surfaces are stored.
+fn keeps_crossings(scene: &Scene, ProgramOptions { mode, layers, .. }: &ProgramOptions) -> bool {
+    !scene.objects.is_empty() && !mode.leaves_light() && layers.iter().any(|layer| layer.is_of_crossings())
+}
+
+/// Returns `true` if the redshift is stored and defined.
+fn keeps_shift(scene: &Scene, options: &ProgramOptions) -> bool {
+    let of_pixels = options.mode == Mode::Picture && options.layers.contains(&Layer::Redshift);
+    (of_pixels || keeps_crossings(scene, options)) && scene.has_frequencies_of(options.mode.is_given())
 }
 
 /// Returns the largest number of rounds per sample: one for each leaf of the full tree of a path.
