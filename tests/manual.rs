@@ -98,12 +98,12 @@ fn quick(words: &[String]) -> Vec<String> {
     }
     let mut add = |more: &str| quick.extend(more.split(' ').map(str::to_owned));
     match words[0].as_str() {
-        "render" if !has("--samples") => add("--samples 2"),
+        "render" | "map" if !has("--samples") => add("--samples 2"),
         "light" => add("--set lights.0.voxels=8"),
         _ => {}
     }
     // The rows and columns of a region refer to the given size.
-    if words[0] == "render" && !has("--crop") {
+    if ["render", "map"].contains(&words[0].as_str()) && !has("--crop") {
         if let Some(at) = quick.iter().position(|word| word == "--size") {
             quick.drain(at..at + 2);
         }

@@ -179,6 +179,7 @@ fn each_pass_has_one_name() {
         Pass::Scatter,
         Pass::Whole,
         Pass::Shade,
+        Pass::Reshade,
         Pass::Record,
         Pass::Refine,
         Pass::Bare,

@@ -28,6 +28,7 @@ mod imports;
 mod instances;
 mod interiors;
 mod kerr_fates;
+mod lens_maps;
 mod lenses;
 mod light_grids;
 mod light_paths;

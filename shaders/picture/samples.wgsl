@@ -12,6 +12,13 @@ struct Corner {
 
 var<storage, read_write> pixel_corner: array<Corner>;
 
+// The sides of a pixel as seen at the ends of its rays, and the end that its corners share; 0 if they do not share one.
+struct Bundle {
+    across: vec3f,
+    down: vec3f,
+    end: u32,
+}
+
 // The largest difference of directions within one smooth bundle of light.
 const WIDEST_BUNDLE: f32 = 0.5;
 
@@ -49,21 +56,13 @@ fn apart(a: Corner, b: Corner) -> vec3f {
 fn note_footprint(pixel: vec2u, ray: Ray) {
     footprint = array<vec3f, 2>();
     footprint_end = end_of(ray.status, 0u);
-    if frame.sample == CORNERS || frame.branch != 0u || !corners_shared(frame.origin + pixel) {
+    if frame.sample == CORNERS || frame.branch != 0u {
         return;
     }
-    let a = pixel_corner[place_in_tile(pixel)];
-    let b = pixel_corner[place_in_tile(pixel + vec2u(1u, 0u))];
-    let c = pixel_corner[place_in_tile(pixel + vec2u(0u, 1u))];
-    let d = pixel_corner[place_in_tile(pixel + vec2u(1u, 1u))];
-    if any(vec3u(b.end, c.end, d.end) != vec3u(a.end)) || (a.end & 15u) != (footprint_end & 15u) {
-        return;
-    }
-    footprint_end = a.end;
-    let across = 0.5 * (apart(a, b) + apart(c, d));
-    let down = 0.5 * (apart(a, c) + apart(b, d));
-    if max(dot(across, across), dot(down, down)) < WIDEST_BUNDLE * WIDEST_BUNDLE {
-        footprint = array<vec3f, 2>(sample_share.side * across, sample_share.side * down);
+    let bundle = pixel_bundle(pixel);
+    if (bundle.end & 15u) == (footprint_end & 15u) {
+        footprint_end = bundle.end;
+        footprint = array<vec3f, 2>(sample_share.side * bundle.across, sample_share.side * bundle.down);
     }
 }
 

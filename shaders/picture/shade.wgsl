@@ -18,7 +18,14 @@ fn shade_ray(pixel: vec2u, ray: Ray, end: Hit) {
     }
     let seen = seen_at(ray, end);
     if ABSORBS {
-        absorption_last(ray, seen.end);
+        if !SHADES_ENDS {
+            absorption_last(ray, seen.end);
+        }
+    }
+    if KEEPS_ENDS {
+        if frame.sample != CORNERS {
+            store_end(pixel, ray.status, end.primitive, seen.end);
+        }
     }
     let code = ray.status;
     var light = seen.color;

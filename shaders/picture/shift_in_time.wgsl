@@ -22,6 +22,14 @@ fn note_end(p: Phase) {
     ray_stretch = p[0].w;
 }
 
+fn kept_stretch() -> f32 {
+    return f32(ray_stretch);
+}
+
+fn restore_stretch(stretch: f32) {
+    ray_stretch = stretch;
+}
+
 fn note_frequency(pixel: vec2u, ray: Ray) {
     seen_shift = 0.0;
     note_kept(pixel);

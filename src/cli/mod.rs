@@ -32,6 +32,7 @@ mod continuation;
 mod decisions;
 mod devices;
 mod doctor;
+mod earlier_map;
 mod farm;
 mod format;
 mod formula;
@@ -42,6 +43,7 @@ mod help;
 mod import;
 mod interrupt;
 mod light;
+mod map;
 mod merge;
 mod new;
 mod options;
@@ -83,6 +85,7 @@ struct Cli {
 #[derive(Debug, Subcommand)]
 enum Command {
     Render(render::Arguments),
+    Map(map::Arguments),
     Merge(merge::Arguments),
     Farm(farm::Arguments),
     Video(video::Arguments),
@@ -121,6 +124,7 @@ pub fn run() -> Result<ExitCode, Error> {
         Command::Doctor(arguments) => return doctor::run(&arguments),
         Command::Compare(arguments) => return compare::run(&arguments),
         Command::Help(arguments) => return help::run(&arguments, &Cli::command()),
+        Command::Map(arguments) => map::run(&arguments),
         Command::Merge(arguments) => merge::run(&arguments),
         Command::Farm(arguments) => farm::run(&arguments),
         Command::Video(arguments) => video::run(&arguments),

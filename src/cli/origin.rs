@@ -14,6 +14,9 @@ use crate::measure::method_words;
 use crate::output::origin::{DEVICE, FOLLOWED, LINES, LISTED, SAMPLES, SCENE, scale};
 use crate::scene::{Scene, SceneError, followed_keys};
 
+/// The program and its version.
+const SOFTWARE: &str = concat!("bentray ", env!("CARGO_PKG_VERSION"));
+
 /// Returns the metadata for a scene, or for a frame of its animation, whose method is chosen.
 pub(super) fn origin(
     film: &Film,
@@ -23,7 +26,7 @@ pub(super) fn origin(
 ) -> Result<Vec<(String, String)>, Error> {
     let rays = &scene.rays;
     let said = [
-        ("Software", concat!("bentray ", env!("CARGO_PKG_VERSION")).to_owned()),
+        ("Software", SOFTWARE.to_owned()),
         ("method", method_words(rays.method, rays.control)),
         ("max_segments", rays.max_segments.to_string()),
         (FOLLOWED, rays.followed()),
@@ -44,6 +47,14 @@ pub(super) fn scene_origin(
     scene: &Scene,
 ) -> Result<[(&'static str, String); 2], Error> {
     Ok([(SCENE, hash(lines(film, frame)?.as_bytes())), (SAMPLES, scene.image.samples.to_string())])
+}
+
+/// Returns the program, the values of the scene and the number of samples, as in [`origin`].
+pub(super) fn values(film: &Film, scene: &Scene) -> Result<Vec<(String, String)>, Error> {
+    let lines = lines(film, None)?;
+    let said = [(SCENE, hash(lines.as_bytes())), (LINES, lines), (SAMPLES, scene.image.samples.to_string())];
+    let said = said.into_iter().chain([("Software", SOFTWARE.to_owned())]);
+    Ok(said.map(|(key, text)| (key.to_owned(), text)).collect())
 }
 
 /// Returns every value of the scene, and a hash of every file that was loaded for it, one per line. The integration method, the number

@@ -18,6 +18,7 @@ use clap::builder::TypedValueParser;
 
 use super::choose_method::Settled;
 use super::continuation::EarlierImage;
+use super::earlier_map::EarlierMap;
 use super::format::Format;
 use super::frame_list::Frames;
 use super::frame_names::numbered;
@@ -32,7 +33,7 @@ use crate::measure::{Verification, verify};
 use crate::output::origin::COMPARED;
 use crate::output::{has_extension, is_film, stores_layers};
 use crate::program::Layer;
-use crate::render::{RenderError, RenderSettings, StartPart, StartUp, Status, Totals, Window};
+use crate::render::{EarlierSamples, RenderError, RenderSettings, StartPart, StartUp, Status, Totals, Window};
 use crate::scene::Scene;
 use ahead::Inputs;
 pub(super) use picture::followed;
@@ -71,6 +72,11 @@ pub(super) struct Arguments {
     /// must contain its accumulated sums, as it does unless --layers omits them
     #[arg(long = "continue", value_name = "EXR", conflicts_with = "frames", value_parser = paths::file())]
     earlier: Option<PathBuf>,
+    /// Shade the rays of a lens map, which `bentray map` wrote for the same scene, and follow none: colors, the sky, lights and the output
+    /// may differ
+    #[arg(long, value_name = "EXR", value_parser = paths::file(),
+        conflicts_with_all = ["frames", "part", "earlier", "preview", "verify"])]
+    from: Option<PathBuf>,
     /// Write the unfinished image to this file during the render: .png or .exr, which may be continued
     #[arg(long, value_name = "FILE", conflicts_with = "frames", value_parser = paths::file())]
     preview: Option<PathBuf>,
@@ -112,6 +118,10 @@ impl Arguments {
             return Err(usage!(
                 "--layers requires an output that stores layers: add an .exr, .npz, .fits or .h5 with -o"
             ));
+        }
+        let of_paths = |layer: &&Layer| layer.is_of_paths();
+        if let Some(layer) = self.layers.iter().flatten().flatten().find(of_paths).filter(|_| self.from.is_some()) {
+            return Err(usage!("--layers: `{}` describes a whole path, and --from has only its end", layer.name()));
         }
         if self.layers.as_ref().is_some_and(|layers| layers.len() > 1 && layers.contains(&None)) {
             return Err(usage!("--layers: `none` cannot be combined with other layers"));
@@ -177,9 +187,10 @@ impl Arguments {
     }
 
     /// Loads the scene, one of its frames, or the scene of an image that is continued.
-    fn load(&self, film: &Film, frame: Option<u32>, before: Option<&EarlierImage>) -> Result<Scene, Error> {
+    fn load(&self, film: &Film, frame: Option<u32>, before: Option<&Before>) -> Result<Scene, Error> {
         let scene = match (frame, before) {
-            (_, Some(before)) => before.load(film)?,
+            (_, Some(Before::Image(image))) => image.load(film)?,
+            (_, Some(Before::Map(map))) => map.load(film)?,
             (None, None) => film.load(None)?,
             (Some(frame), None) => film.load(Some(&|_| frame.into()))?,
         };
@@ -190,6 +201,30 @@ impl Arguments {
         match self.crop.filter(|window| !window.fits(scene.image.size)) {
             Some(window) => Err(RenderError::Window { window, picture: scene.image.size }.into()),
             None => Ok(scene),
+        }
+    }
+}
+
+/// An earlier result that a render starts from.
+enum Before {
+    /// An image that takes more samples.
+    Image(Box<EarlierImage>),
+    /// The ends of all paths.
+    Map(EarlierMap),
+}
+
+impl Before {
+    fn image(&self) -> Option<&EarlierImage> {
+        match self {
+            Self::Image(image) => Some(image),
+            Self::Map(_) => None,
+        }
+    }
+
+    fn samples(self) -> Option<EarlierSamples> {
+        match self {
+            Self::Image(image) => Some(image.earlier()),
+            Self::Map(_) => None,
         }
     }
 }
@@ -215,11 +250,19 @@ pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
     let film = Film::new(&arguments.scene, arguments.changes.overrides()?)
         .on(arguments.device.name())
         .within(arguments.memory);
-    let before = arguments.earlier.as_deref().map(EarlierImage::read).transpose()?;
-    let still = arguments.load(&film, None, before.as_ref())?;
-    let layers = arguments.layers(&still, before.as_ref());
-    if let Some(before) = &before {
+    let earlier = match (&arguments.earlier, &arguments.from) {
+        (Some(path), _) => Some(Before::Image(Box::new(EarlierImage::read(path)?))),
+        (None, Some(path)) => Some(Before::Map(EarlierMap::read(path)?)),
+        (None, None) => None,
+    };
+    let still = arguments.load(&film, None, earlier.as_ref())?;
+    let before = earlier.as_ref().and_then(Before::image);
+    let layers = arguments.layers(&still, before);
+    if let Some(before) = before {
         before.check(&still, &layers, arguments.crop.unwrap_or(Window::whole(still.image.size)))?;
+    }
+    if let Some(Before::Map(map)) = &earlier {
+        map.check(&film, &still)?;
     }
     let frames = arguments.frames_of(&still)?;
     let targets = arguments.targets(&frames, &still)?;
@@ -235,17 +278,23 @@ pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
     }
     launch.count(StartPart::Scene);
     let gpu = opening.finish()?;
-    if let Some(before) = &before {
+    if let Some(before) = before {
         before.check_origin(&film, &gpu, &still)?;
     }
     launch.count(StartPart::Device);
-    let kept = arguments.kept(&layers, before.as_ref());
+    let kept = arguments.kept(&layers, before);
     let settings = RenderSettings { memory: arguments.memory, ..arguments.device.settings(kept) };
     let rate = still.animation.as_ref().map(|animation| animation.rate);
     let again = arguments.again(still.rays.auto.is_some() || before.is_some(), targets[0]);
     let is_film = arguments.frames.is_some();
-    let Settled { scene: leading, settings, renderer, .. } =
-        arguments.lead(&gpu, &film, still, settings, &mut launch)?;
+    let Settled { scene: leading, settings, renderer, .. } = match &earlier {
+        Some(Before::Map(map)) => {
+            let settings = RenderSettings { window: arguments.crop, ..settings };
+            let renderer = Some(map.renderer(&gpu, &still, settings.clone())?);
+            Settled { scene: still, settings, renderer, light_tracer: None }
+        }
+        _ => arguments.lead(&gpu, &film, still, settings, &mut launch)?,
+    };
     launch.count(StartPart::Method);
     let measured = arguments.verify.map(|count| verify(&gpu, &leading, &settings, count as usize)).transpose()?;
     // With `--json`, scripts get the verification together with the image.
@@ -276,7 +325,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
         clash: None,
         there: 0,
     };
-    let unfollowed = work.render_all(&mut inputs, &targets, before.map(EarlierImage::earlier).as_ref())?;
+    let unfollowed = work.render_all(&mut inputs, &targets, earlier.and_then(Before::samples).as_ref())?;
     if let Some(code) = interrupt::stopped() {
         return Ok(code);
     }

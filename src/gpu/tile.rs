@@ -12,7 +12,7 @@ use wgpu::{
 use super::pipeline::texture_format;
 use super::slots::{FRAMES, List, PixelListKind, SECTION, Sections, Selection};
 use super::{Gpu, GpuError, Pipeline, SceneBuffers};
-use crate::program::{Access, Binding, BindingKind, Pass, Program, Role, Slot};
+use crate::program::{Access, Binding, BindingKind, Pass, Program, Role, Slot, constant};
 
 /// The device memory of one pixel.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -31,7 +31,7 @@ impl Memory {
     /// Returns the bytes per pixel that the host reads.
     #[must_use]
     pub fn read_back(&self) -> u64 {
-        let read = [Role::Pixels, Role::Moments].map(|role| role.to_string());
+        let read = [Role::Pixels, Role::Moments, Role::PathEnds].map(|role| role.to_string());
         self.items.iter().filter(|(name, _)| read.contains(name)).map(|(_, bytes)| bytes).sum()
     }
 
@@ -80,6 +80,9 @@ fn per_pixel(program: &Program) -> Vec<PerPixel> {
             (BindingKind::StorageTexture(format), _) => texture_format(*format).map(Storage::Texture),
             (BindingKind::Storage { layout, read_only: false }, Role::State(..) | Role::Pixels | Role::Moments) => {
                 Some(Storage::Buffer(layout.span))
+            }
+            (BindingKind::Storage { layout, read_only: false }, Role::PathEnds) => {
+                Some(Storage::Buffer(constant("state/ends", "END_VALUES") as u32 * layout.span))
             }
             _ => None,
         };

@@ -17,6 +17,7 @@ pub mod error;
 pub mod exr;
 pub mod fits;
 pub mod hdf5;
+pub mod lens_map;
 pub mod merge;
 pub mod npy;
 pub mod origin;

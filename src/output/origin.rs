@@ -4,7 +4,7 @@
 //! its numbers, the device and the version. The file contains the scene twice: as a hash of everything, and line by line, so that a message
 //! can show the key that differs. If the lines exceed [`LISTED`] bytes, only the hash is stored.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::{self, Write};
 
 use super::FileSettings;
@@ -158,22 +158,32 @@ pub fn file_difference(own: &FileSettings, wanted: &FileSettings) -> Option<Stri
 /// Returns the first difference of two origins except for these keys, or `None` if they agree.
 #[must_use]
 pub fn difference(pictures: [&[(String, String)]; 2], but: &[&str]) -> Option<Difference> {
-    let said = pictures.map(|said| said.iter().map(|(key, text)| (key.as_str(), text.as_str())).collect());
-    let counts = |key: &str| ![LINES, COMPARED].contains(&key) && !but.contains(&key);
-    let found = first(&said, counts)?;
-    if found.key != SCENE {
-        return Some(found);
-    }
-    let lines = said.map(|said| said.get(LINES).copied().unwrap_or_default());
-    let lines = lines.map(|text| text.lines().filter_map(|line| line.split_once(" = ")).collect());
-    Some(first(&lines, |_| true).unwrap_or(found))
+    differences(pictures, but).into_iter().next()
 }
 
-fn first(said: &[BTreeMap<&str, &str>; 2], counts: impl Fn(&str) -> bool) -> Option<Difference> {
+/// Returns all differences of two origins except for these keys: of their metadata, and of the lines of their scenes.
+#[must_use]
+pub fn differences(pictures: [&[(String, String)]; 2], but: &[&str]) -> Vec<Difference> {
+    let said = pictures.map(|said| said.iter().map(|(key, text)| (key.as_str(), text.as_str())).collect());
+    let counts = |key: &str| ![LINES, COMPARED].contains(&key) && !but.contains(&key);
+    let mut found = all(&said, counts);
+    if let Some(at) = found.iter().position(|difference| difference.key == SCENE) {
+        let lines = said.map(|said| said.get(LINES).copied().unwrap_or_default());
+        let lines = lines.map(|text| text.lines().filter_map(|line| line.split_once(" = ")).collect());
+        let of_lines = all(&lines, |_| true);
+        if !of_lines.is_empty() {
+            found.splice(at..=at, of_lines);
+        }
+    }
+    found
+}
+
+fn all(said: &[BTreeMap<&str, &str>; 2], counts: impl Fn(&str) -> bool) -> Vec<Difference> {
     let [own, other] = said;
-    let keys = own.keys().chain(other.keys()).filter(|key| counts(key) && own.get(*key) != other.get(*key));
-    let key = *keys.min()?;
-    Some(Difference { key: key.to_owned(), values: [own, other].map(|said| said.get(key).map(|s| (*s).to_owned())) })
+    let keys: BTreeSet<&str> = own.keys().chain(other.keys()).copied().collect();
+    let differ = keys.into_iter().filter(|key| counts(key) && own.get(key) != other.get(key));
+    let value = |key: &str| [own, other].map(|said| said.get(key).map(|text| (*text).to_owned()));
+    differ.map(|key| Difference { key: key.to_owned(), values: value(key) }).collect()
 }
 
 #[cfg(test)]

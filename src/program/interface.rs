@@ -36,6 +36,8 @@ pub enum Role {
     Refined,
     /// The end states of traced rays.
     Records,
+    /// The ends of an image's paths.
+    PathEnds,
     /// The start states of traced rays.
     Given,
     /// The regions in which traced rays start.
@@ -106,7 +108,7 @@ pub enum Access {
 }
 
 /// The renderer's bindings.
-const ROLES: [(&str, Role); 19] = [
+const ROLES: [(&str, Role); 20] = [
     ("pixels", Role::Pixels),
     ("moments", Role::Moments),
     ("list_in", Role::List(Access::Read)),
@@ -118,6 +120,7 @@ const ROLES: [(&str, Role); 19] = [
     ("tally", Role::Tally),
     ("refined", Role::Refined),
     ("records", Role::Records),
+    ("stored_ends", Role::PathEnds),
     ("given", Role::Given),
     ("given_sets", Role::GivenSets),
     ("chosen", Role::Chosen),

@@ -102,6 +102,12 @@ impl Layer {
         self.kind() == LayerKind::Crossings
     }
 
+    /// Returns `true` if the layer describes a path, and does not follow from its end.
+    #[must_use]
+    pub fn is_of_paths(self) -> bool {
+        matches!(self, Self::Depth | Self::Segments | Self::Steps) || self.is_of_crossings()
+    }
+
     /// Returns the type of the layer's values.
     #[must_use]
     pub fn kind(self) -> LayerKind {

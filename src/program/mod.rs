@@ -55,7 +55,7 @@ mod validate;
 pub use analysis::Analysis;
 pub use error::ProgramError;
 pub use features::Features;
-pub use options::{Mode, Pass, ProgramOptions, RaySkipping, Schedule};
+pub use options::{Mode, Pass, PathEnds, ProgramOptions, RaySkipping, Schedule};
 
 pub use generated::{all_shots, solid_code, solid_codes};
 pub use interface::{Access, Role, SceneValue, Slot, StatePart};

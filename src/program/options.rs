@@ -89,6 +89,8 @@ pub enum Pass {
     Whole,
     /// Computes local illumination.
     Shade,
+    /// Computes local illumination from stored ends of paths.
+    Reshade,
     /// Stores rays as numbers.
     Record,
     /// Selects the pixels that take more samples.
@@ -113,6 +115,7 @@ impl Pass {
             Self::Scatter => "scatter",
             Self::Whole => "whole",
             Self::Shade => "shade",
+            Self::Reshade => "reshade",
             Self::Record => "record",
             Self::Refine => "refine",
             Self::Bare => "bare",
@@ -154,6 +157,17 @@ impl Mode {
     }
 }
 
+/// The source and the use of the ends of an image's paths.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum PathEnds {
+    /// Paths are followed and shaded.
+    Followed,
+    /// Paths are followed and shaded, and their ends are stored for later.
+    Stored,
+    /// The ends that an earlier render has stored are shaded.
+    Given,
+}
+
 /// Everything except the scene that determines the contents of its program.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct ProgramOptions {
@@ -165,6 +179,8 @@ pub struct ProgramOptions {
     pub mode: Mode,
     /// The layers to store, each once.
     pub layers: Vec<Layer>,
+    /// The source and the use of the ends of paths.
+    pub ends: PathEnds,
     /// The properties of the device.
     pub device: DeviceProfile,
 }
@@ -176,6 +192,7 @@ impl Default for ProgramOptions {
             masks: RaySkipping::List,
             mode: Mode::Picture,
             layers: Vec::new(),
+            ends: PathEnds::Followed,
             device: DeviceProfile::default(),
         }
     }

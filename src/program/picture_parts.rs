@@ -73,6 +73,11 @@ fn shift_part(features: &Features) -> &'static str {
     if features.follows_shift { "picture/shift_in_time" } else { "picture/shift" }
 }
 
+/// Returns the module for the footprints of pixels.
+pub(super) fn bundle_part(features: &Features) -> &'static str {
+    if features.shades_ends() { "picture/bundle/stored" } else { "picture/bundle/corners" }
+}
+
 /// Returns the module that selects the pixels that take a sample, and stores values at their corners.
 pub(super) fn samples_part(features: &Features) -> &'static str {
     if features.adapts { "picture/adaptive" } else { "picture/samples" }

@@ -3,12 +3,12 @@
 
 use super::names::Names;
 use super::onward_parts::{absorption_modules, scatter_parts};
-use super::picture_parts::{camera_parts, material_parts, picture_parts, samples_part};
+use super::picture_parts::{bundle_part, camera_parts, material_parts, picture_parts, samples_part};
 use super::region_parts::region_parts;
 use super::regions::RegionKind;
 use super::structure::solids;
 use super::unit::Parts;
-use super::{Analysis, Features, ProgramError, RaySkipping, generated, short_lists};
+use super::{Analysis, Features, PathEnds, ProgramError, RaySkipping, generated, short_lists};
 use crate::model::point_source::ANCHORS;
 use crate::scene::{Precision, Scene, Segment};
 
@@ -62,7 +62,6 @@ pub fn plan(scene: &Scene, analysis: &Analysis, features: &Features) -> Result<P
         "segment/follow",
         "segment/hits",
         "segment/lists",
-        "segment/path_end",
         "segment/pieces",
         "segment/walk",
         "shape/placed",
@@ -72,6 +71,8 @@ pub fn plan(scene: &Scene, analysis: &Analysis, features: &Features) -> Result<P
         "state/loops",
         "state/tau",
     ]);
+    names.add(if features.shades_ends() { "segment/stored_end" } else { "segment/path_end" });
+    names.when(features.ends != PathEnds::Followed, &["state/ends"]);
     names.make(features.unit());
     names.make(generated::loop_budget(features.device.loop_budget));
     names.make(generated::counts(scene, features, regions));
@@ -122,6 +123,7 @@ fn schedule_parts(features: &Features, names: &mut Names) {
         "state/round",
         samples_part(features),
     ]);
+    names.when(!features.adapts, &[bundle_part(features)]);
     names.all(match features.masks {
         _ if features.mode.leaves_light() => &["segment/run_active", "segment/leave_light"],
         RaySkipping::Off => &["segment/run_all"],

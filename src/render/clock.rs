@@ -37,7 +37,7 @@ impl Stage {
             Pass::Setup => Self::Setup,
             Pass::Intersect if apart => Self::Intersect,
             Pass::Scatter if apart => Self::Scatter,
-            Pass::Shade | Pass::Record | Pass::Refine => Self::Shade,
+            Pass::Shade | Pass::Reshade | Pass::Record | Pass::Refine => Self::Shade,
             _ => Self::Advance,
         }
     }

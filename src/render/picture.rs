@@ -228,7 +228,7 @@ impl Renderer<'_> {
     }
 
     /// Returns black rows of the image.
-    fn band(&self, first_row: u32, rows: u32) -> Band {
+    pub(super) fn band(&self, first_row: u32, rows: u32) -> Band {
         let width = self.window().size[0];
         let black = || vec![0.0; rows as usize * width as usize];
         let color = [black(), black(), black()];
@@ -248,6 +248,9 @@ impl Renderer<'_> {
         let origin = [0, 1].map(|k| window.origin[k] + part.origin[k]);
         if let Some(sums) = &mut totals.adaptive {
             return self.sample_adaptively(tile, origin, clock, progress, sums);
+        }
+        if let Some(map) = &self.ends {
+            return self.shade_tile(tile, Window { origin, size: part.size }, clock, map);
         }
         let first = round.begins();
         if self.prepared.program.features.keeps_footprints {

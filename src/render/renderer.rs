@@ -6,10 +6,10 @@ use std::sync::Arc;
 use super::grids::LightGrids;
 use super::light_grid::grids_of;
 use super::prepared::Prepared;
-use super::{LightReport, RenderError, RenderSettings};
+use super::{LensMap, LightReport, RenderError, RenderSettings};
 use crate::gpu::{Gpu, GpuError, Stored, Tile};
 use crate::model::Control;
-use crate::program::{Mode, Program};
+use crate::program::{Mode, PathEnds, Program};
 use crate::scene::Scene;
 
 /// A renderer of a scene's images: its program, pipelines and data on a device.
@@ -18,6 +18,8 @@ pub struct Renderer<'a> {
     pub(super) prepared: Prepared<'a>,
     /// The tile of the previous image, for the next one.
     pub(super) tile: Option<Tile>,
+    /// The ends of the paths, if none is followed.
+    pub(super) ends: Option<Arc<LensMap>>,
 }
 
 impl<'a> Renderer<'a> {
@@ -54,10 +56,26 @@ impl<'a> Renderer<'a> {
         Self::of(gpu, Cow::Owned(scene), settings)
     }
 
+    /// Creates a renderer that follows no path, but shades those of a map, which [`map`](Self::map) returned for a scene with the same
+    /// camera, rays and surfaces.
+    ///
+    /// # Errors
+    ///
+    /// Returns the errors of [`new`](Self::new).
+    pub fn of_map(
+        gpu: &'a Gpu,
+        scene: Scene,
+        mut settings: RenderSettings,
+        ends: Arc<LensMap>,
+    ) -> Result<Self, RenderError> {
+        settings.options.ends = PathEnds::Given;
+        Ok(Self { ends: Some(ends), ..Self::keeping(gpu, scene, settings)? })
+    }
+
     fn of(gpu: &'a Gpu, scene: Cow<'a, Scene>, mut settings: RenderSettings) -> Result<Self, RenderError> {
         settings.options.mode = Mode::Picture;
         let grids = grids_of(gpu, &scene, &settings)?;
-        Ok(Self { prepared: Prepared::new(gpu, scene, settings, grids)?, tile: None })
+        Ok(Self { prepared: Prepared::new(gpu, scene, settings, grids)?, tile: None, ends: None })
     }
 
     /// Returns the linked program.

@@ -45,6 +45,15 @@ impl Prepared<'_> {
         Ok(())
     }
 
+    /// Runs one round of a sample of a tile.
+    pub(super) fn run_round(&self, tile: &Tile, sample: Sample, round: u32, clock: &mut Clock) -> Result<(), GpuError> {
+        let mut runner = Runner::new(self, tile, &|_| {});
+        runner.begin_round(sample, round, clock)?;
+        runner.record_round(sample, round, clock)?;
+        runner.submit(clock)?;
+        runner.wait(0)
+    }
+
     /// Runs some steps at once, outside the loop over a whole sample.
     pub(super) fn run_steps(&self, tile: &Tile, sample: Sample, steps: &[Step]) -> Result<(), GpuError> {
         let mut clock = Clock::new(self.gpu, false);

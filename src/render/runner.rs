@@ -103,16 +103,7 @@ impl<'r, 'a> Runner<'r, 'a> {
             if round < 2 {
                 self.begin_round(sample, round, clock)?;
             }
-            let mut last = None;
-            for step in &prepared.plan.steps {
-                // The lists are complete at the end of an iteration.
-                if last.replace(step.iteration) != Some(step.iteration) {
-                    self.make_room(round, step.weight, clock)?;
-                }
-                if self.live.in_round(round) > 0 || step.dispatch != Dispatch::PixelListKind {
-                    self.push(round, step.in_round(round, sample.refines));
-                }
-            }
+            self.record_round(sample, round, clock)?;
             if self.live.is_done() {
                 break;
             }
@@ -120,6 +111,22 @@ impl<'r, 'a> Runner<'r, 'a> {
         if let Some(refines) = sample.refines {
             self.begin_round(sample, 0, clock)?;
             self.push(0, Step::refining(refines, prepared.settings.options.masks));
+        }
+        Ok(())
+    }
+
+    /// Records the steps of a round, and submits them when they are enough.
+    pub(super) fn record_round(&mut self, sample: Sample, round: u32, clock: &mut Clock) -> Result<(), GpuError> {
+        let prepared = self.prepared;
+        let mut last = None;
+        for step in &prepared.plan.steps {
+            // The lists are complete at the end of an iteration.
+            if last.replace(step.iteration) != Some(step.iteration) {
+                self.make_room(round, step.weight, clock)?;
+            }
+            if self.live.in_round(round) > 0 || step.dispatch != Dispatch::PixelListKind {
+                self.push(round, step.in_round(round, sample.refines));
+            }
         }
         Ok(())
     }

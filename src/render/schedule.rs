@@ -65,6 +65,10 @@ pub fn steps(scene: &Scene, features: &Features, passes: PassCounts, max_segment
         (whole.read, whole.written) = (PixelList::Open(0), PixelList::Open(1));
         return recorded.steps;
     }
+    if features.shades_ends() {
+        recorded.push(Pass::Reshade, Slots::only(0), 0, 1).dispatch = Dispatch::Grid;
+        return recorded.steps;
+    }
     recorded.push(Pass::Setup, Slots::only(0), 0, 1);
     match features.mode {
         Mode::Bare => {
@@ -100,7 +104,10 @@ struct Recorder<'a> {
 impl Recorder<'_> {
     /// Adds a step of an iteration over segments, which reads the iteration's list of active rays and writes the next one.
     fn push(&mut self, pass: Pass, slots: Slots, iteration: u64, weight: u64) -> &mut Step {
-        let once = matches!(pass, Pass::Setup | Pass::Whole | Pass::Shade | Pass::Record | Pass::Bare | Pass::Shots);
+        let once = matches!(
+            pass,
+            Pass::Setup | Pass::Whole | Pass::Shade | Pass::Reshade | Pass::Record | Pass::Bare | Pass::Shots
+        );
         // The termination of the first segments writes the first list.
         let first = !once && iteration == 0 && pass != Pass::Scatter;
         let dispatch = match once || first {

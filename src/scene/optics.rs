@@ -1,10 +1,12 @@
 //! Optical properties that depend on both the law and the interiors.
 
+use glam::DVec3;
+
 use crate::document::reader::TableReader;
 use crate::model::method::Demands;
 use crate::model::{Camera, Law, Material, Medium, Object, Order};
 
-use super::{Bound, PathTracing, Precision, Scene, Segment};
+use super::{Bound, PathTracing, Precision, Scene, Segment, Shadows};
 
 impl Scene {
     /// Returns `true` if light conserves its angular momentum around the law's axis along its whole path from the camera: no surface or
@@ -15,6 +17,31 @@ impl Scene {
         let centers = self.rays.bounding_sphere.centers(Some(&*self.law));
         let is_within = centers.iter().any(|center| center.distance(camera.position) <= radius);
         (is_within || self.rays.sky_at_infinity) && !self.deflects()
+    }
+
+    /// Returns why the ends of an image's paths cannot be stored and shaded later, if this is so.
+    #[must_use]
+    pub fn refuses_map(&self) -> Option<&'static str> {
+        let along_law = self.is_occluded() && self.occlusion.is_some_and(|occlusion| occlusion.along_law);
+        [
+            (self.rays.path_tracing.is_some(), "a lens map cannot be combined with lighting = \"path-tracing\""),
+            (self.image.adaptive.is_some(), "a lens map cannot be combined with image.adaptive"),
+            (self.rays.precision == Precision::Double, "a lens map has 32 bits; set rays.precision = \"f32\""),
+            (
+                self.absorptions().any(|filter| filter.emission != DVec3::ZERO),
+                "a lens map has only the ends of rays, and no media that emit light along them",
+            ),
+            (
+                self.has_shadows(Shadows::Shooting) || along_law,
+                "a lens map cannot be combined with shadows or ambient occlusion along the law, which need other rays",
+            ),
+            (
+                self.travels().next().is_some(),
+                "a lens map cannot be combined with moving objects, whose surfaces depend on the time of each ray",
+            ),
+        ]
+        .into_iter()
+        .find_map(|(is_so, problem)| is_so.then_some(problem))
     }
 
     /// Returns `true` if a surface or an interior changes the direction of rays.

@@ -19,6 +19,7 @@ mod interrupted;
 mod json;
 mod light;
 mod lost_words;
+mod maps;
 mod measures;
 mod parts;
 mod paths;

@@ -14,6 +14,14 @@ fn store_throughput(pixel: vec2u) {
     pixel_throughput[place_in_tile(pixel)] = throughput;
 }
 
+fn kept_throughput() -> vec3f {
+    return throughput;
+}
+
+fn restore_throughput(kept: vec3f) {
+    throughput = kept;
+}
+
 fn start_throughput(x: Real3) {
     let n = medium_index(x);
     throughput = vec3f(f32(n * n));

@@ -28,6 +28,14 @@ fn start_throughput(x: Real3) {
     }
 }
 
+fn kept_throughput() -> vec3f {
+    return vec3f(throughput);
+}
+
+fn restore_throughput(kept: vec3f) {
+    throughput = kept.x;
+}
+
 fn note_sent() {
     throughput = abs(throughput);
 }

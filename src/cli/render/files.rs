@@ -128,7 +128,7 @@ impl Arguments {
         let usual = |layer: Layer| match layer {
             Layer::Redshift => scene.has_frequencies(),
             Layer::ImageOrder => scene.has_orders(),
-            layer if layer.is_of_crossings() => false,
+            layer if layer.is_of_crossings() || layer.is_of_paths() && self.from.is_some() => false,
             Layer::Samples => scene.image.adaptive.is_some(),
             Layer::StandardError => scene.rays.path_tracing.is_some(),
             Layer::Accumulated | Layer::LuminanceM2 => is_continuable(scene),

@@ -2,7 +2,7 @@
 
 use super::Features;
 use crate::model::StereoLayout;
-use crate::program::{Layer, Mode, RaySkipping, Schedule, Unit};
+use crate::program::{Layer, Mode, PathEnds, RaySkipping, Schedule, Unit};
 
 /// Pairs each field with its name.
 macro_rules! named {
@@ -44,6 +44,8 @@ impl Features {
             ("follows_whole", self.schedule == Schedule::Whole),
             ("has_three_slots", self.slots == 3),
             ("resumes", self.suspends && self.schedule != Schedule::Whole),
+            ("keeps_ends", self.ends == PathEnds::Stored),
+            ("shades_ends", self.shades_ends()),
             ("keeps_counts", self.keeps_counts()),
             ("keeps_length", self.is_picture() && self.layers.contains(&Layer::Depth)),
             ("side_by_side", self.views == Some(StereoLayout::SideBySide)),

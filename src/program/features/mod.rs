@@ -7,7 +7,7 @@ mod constants;
 use glam::DVec3;
 
 use super::regions::{RegionKind, Regions};
-use super::{Analysis, DeviceProfile, Layer, Mode, Pass, ProgramOptions, RaySkipping, Schedule};
+use super::{Analysis, DeviceProfile, Layer, Mode, Pass, PathEnds, ProgramOptions, RaySkipping, Schedule};
 use crate::model::method::Path;
 use crate::model::{Absorption, Capture, StereoLayout};
 use crate::scene::{Animation, Light, Precision, Scene, Segment, Shadows, Sky, Splitting, Tonemap};
@@ -186,6 +186,8 @@ pub struct Features {
     pub knows_shift: bool,
     /// The redshift is integrated along each path, because it is not conserved.
     pub follows_shift: bool,
+    /// The source and the use of the ends of paths.
+    pub ends: PathEnds,
     /// The first crossings of translucent surfaces are stored.
     pub keeps_crossings: bool,
     /// Light is separated by the crossing of translucent surfaces that it comes from.
@@ -196,13 +198,11 @@ impl Features {
     /// Determines the features of `scene`, rendered with `options`.
     #[must_use]
     pub fn of(scene: &Scene, options: &ProgramOptions, Analysis { regions, structure }: &Analysis) -> Self {
-        let ProgramOptions { mode, masks, layers, device, .. } = options.clone();
+        let ProgramOptions { mode, masks, layers, device, ends, .. } = options.clone();
         let is_picture = mode == Mode::Picture;
         let (facts, camera) = (scene.law.facts(), scene.camera.as_ref());
         let (rounds, shoots) = (rounds(scene, is_picture), scene.has_shadows(Shadows::Shooting));
-        // A whole path fits into one pass if a sample follows one path, and the state need not be rounded between segments.
-        let fits = is_picture && rounds == 1 && scene.rays.precision != Precision::Half && !shoots;
-        let schedule = if options.schedule == Schedule::Whole && !fits { Schedule::Fused } else { options.schedule };
+        let schedule = schedule(scene, options, is_picture && rounds == 1 && !shoots);
         let grids = || scene.lights.iter().filter(|light| light.shadows == Shadows::Grid);
         let beams = is_picture && camera.is_some_and(|camera| camera.redshift);
         let knows_shift = beams || keeps_shift(scene, options);
@@ -290,12 +290,13 @@ impl Features {
             keeps_errors: scene.rays.control.kind.keeps_errors,
             has_structure: !structure.solids.is_empty(),
             is_glossy: scene.used_materials().any(|material| material.surface.facts().is_glossy),
-            keeps_footprints: is_picture && scene.has_footprints(),
+            keeps_footprints: is_picture && keeps_footprints(scene, ends),
             beams,
             shifts_hues: beams && camera.is_some_and(|camera| camera.color_shift),
             knows_shift,
             follows_shift: knows_shift && facts.changes_with_time,
             keeps_crossings: keeps_crossings(scene, options),
+            ends,
             keeps_orders: is_picture && layers.contains(&Layer::ImageOrder) && scene.has_orders(),
             layers,
         }
@@ -307,6 +308,12 @@ impl Features {
         self.mode == Mode::Picture
     }
 
+    /// Returns `true` if stored ends of paths are shaded, and no path is followed.
+    #[must_use]
+    pub fn shades_ends(&self) -> bool {
+        self.ends == PathEnds::Given
+    }
+
     /// Returns `true` if later rounds and samples process only the pixels that have a path left or need more samples.
     #[must_use]
     pub fn lists_open(&self) -> bool {
@@ -316,7 +323,7 @@ impl Features {
     /// Returns the number of extra columns and rows of a tile, because the corners of its last pixels are shared with the next pixels.
     #[must_use]
     pub fn margin(&self) -> u32 {
-        (self.adapts || self.keeps_footprints).into()
+        (self.adapts || self.keeps_footprints && !self.shades_ends()).into()
     }
 
     /// Returns `true` if the program stores the step counts of each ray.
@@ -328,6 +335,9 @@ impl Features {
     /// Returns the passes, in the order in which they first run.
     #[must_use]
     pub fn passes(&self) -> Vec<Pass> {
+        if self.shades_ends() {
+            return vec![Pass::Reshade];
+        }
         let mut passes = match (self.mode, self.schedule) {
             (Mode::Bare, _) => return vec![Pass::Setup, Pass::Bare],
             (Mode::Lit, _) => return vec![Pass::Setup, Pass::Shots],
@@ -358,6 +368,18 @@ impl Features {
 /// Returns `true` if both rays of a split are followed, one after the other.
 fn enumerates(scene: &Scene) -> bool {
     scene.scatters() && matches!(scene.rays.max_splits, Splitting::Enumerated(_))
+}
+
+/// Returns the schedule: a whole path `fits` into one pass only if a sample follows one path, and if its state need not be rounded between
+/// segments.
+fn schedule(scene: &Scene, options: &ProgramOptions, fits: bool) -> Schedule {
+    let is_whole = fits && scene.rays.precision != Precision::Half && options.ends != PathEnds::Given;
+    if options.schedule == Schedule::Whole && !is_whole { Schedule::Fused } else { options.schedule }
+}
+
+/// Returns `true` if the footprints of pixels are computed; a map of path ends is for images of other scenes, too.
+fn keeps_footprints(scene: &Scene, ends: PathEnds) -> bool {
+    scene.has_footprints() || ends == PathEnds::Stored
 }
 
 /// Returns `true` if the crossings of translucent surfaces are stored.
