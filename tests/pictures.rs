@@ -34,10 +34,16 @@ fn state_on_the_device_is_small() {
         // W, if a path ends by τ, in two slots.
         let most = if scene.rays.max_parameter.is_some() { 104 + 2 * 16 } else { 104 };
         assert!(plain <= most, "{}: {plain} bytes per pixel", path.display());
-        let layered = bytes(&scene, &ProgramOptions { layers: Layer::ALL.to_vec(), ..fused() });
+        let layers = |is_of_crossings| -> Vec<Layer> {
+            Layer::ALL.into_iter().filter(|layer| layer.is_of_crossings() == is_of_crossings).collect()
+        };
+        let layered = bytes(&scene, &ProgramOptions { layers: layers(false), ..fused() });
         // Depth, segments, object, status, steps and redshift at 4 bytes, two vectors at 12; the summed steps, rejections
         // and lengths; and up to 12 bytes of padding before each vector and at the end.
         assert!(layered - plain <= 6 * 4 + 2 * 12 + 3 * 4 + 3 * 12, "{}: {layered}", path.display());
+        // The start, three rows for each of four crossings, the count with padding; and τ, if nothing else needs it.
+        let crossed = bytes(&scene, &ProgramOptions { layers: layers(true), ..fused() });
+        assert!(crossed - plain <= 13 * 16 + 16 + 2 * 16, "{}: {crossed}", path.display());
         scene.rays.max_segments = 100_000;
         assert_eq!(bytes(&scene, &fused()), plain);
         // A path in one pass only stores its color, which takes as much as four numbers.

@@ -1,11 +1,12 @@
 //! The Python package: scenes, images and rays as `NumPy` arrays.
 //!
-//! *Practice.* `values` converts Python values to TOML, so that a dict is read and checked like a file; `scene` has the class, and `state`
-//! the parts of it that change; `arrays` converts results; `device` opens each device once, and runs work on it while Python goes on.
+//! *Practice.* `values` converts Python values to TOML, so that a dict is read and checked like a file; `scene` and `lens_map`
+//! have the classes, and `state` the parts of a scene that change; `arrays` converts results; `device` opens each device once, and runs work on it while Python goes on.
 
 mod arrays;
 mod device;
 mod errors;
+mod lens_map;
 mod scene;
 mod state;
 mod values;
@@ -18,6 +19,8 @@ mod _bentray {
 
     #[pymodule_export]
     use crate::errors::{DeviceError, RenderError, SceneError};
+    #[pymodule_export]
+    use crate::lens_map::LensMap;
     #[pymodule_export]
     use crate::scene::Scene;
     use bentray::render::Status;

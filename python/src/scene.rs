@@ -1,8 +1,10 @@
 //! The class `Scene`.
 
+use std::collections::BTreeMap;
 use std::path::PathBuf;
-use std::sync::{Mutex, MutexGuard};
+use std::sync::{Arc, Mutex, MutexGuard};
 
+use bentray::measure::Verification;
 use bentray::output::{FileSettings, open as open_image};
 use bentray::program::Layer;
 use bentray::render::Band;
@@ -15,6 +17,7 @@ use pyo3::types::{PyBytes, PyDict, PyMapping, PyString};
 use crate::arrays::{self, Ends};
 use crate::device::open;
 use crate::errors::{RenderError as Failed, render_error, scene_error};
+use crate::lens_map::LensMap;
 use crate::state::State;
 use crate::values;
 
@@ -69,15 +72,22 @@ impl Scene {
     }
 
     /// Returns an image: arrays by the names of layers.
-    #[pyo3(signature = (*, size = None, samples = None, layers = None))]
+    #[pyo3(signature = (*, size = None, samples = None, layers = None, lens_map = None))]
     fn render<'py>(
         &self,
         py: Python<'py>,
         size: Option<[u32; 2]>,
         samples: Option<u32>,
         layers: Option<Vec<String>>,
+        lens_map: Option<&LensMap>,
     ) -> PyResult<Bound<'py, PyDict>> {
         let layers = layers.unwrap_or_default().iter().map(|name| layer(name)).collect::<PyResult<Vec<Layer>>>()?;
+        if let Some(map) = lens_map {
+            if size.is_some() || samples.is_some() {
+                return Err(PyValueError::new_err("a lens map has a size and a number of samples already"));
+            }
+            return arrays::image(py, self.shaded(py, map, &layers)?, &layers);
+        }
         let (band, _) = self.image(py, size, samples, &layers)?;
         arrays::image(py, band, &layers)
     }
@@ -107,6 +117,49 @@ impl Scene {
             found.set_item("crossings", arrays::crossings(py, &followed)?)?;
         }
         Ok(found)
+    }
+
+    /// Follows the rays of the image, and returns their ends.
+    fn map(&self, py: Python) -> PyResult<LensMap> {
+        let device = open(self.device.as_deref())?;
+        let mut guard = self.state(py);
+        let state = &mut *guard;
+        if let Some(problem) = state.scene.refuses_map() {
+            return Err(PyValueError::new_err(problem));
+        }
+        let values = self.values(py, state)?;
+        let (ends, rays) = device.run(py, || state.map(device))?.map_err(render_error)?;
+        Ok(LensMap { ends: Arc::new(ends), rays, values })
+    }
+
+    /// Follows the rays of some pixels again in 64 bits, and returns the errors of the image.
+    #[pyo3(signature = (rays = 1000))]
+    fn verify<'py>(&self, py: Python<'py>, rays: usize) -> PyResult<Bound<'py, PyDict>> {
+        if !(1..=1_000_000).contains(&rays) {
+            return Err(PyValueError::new_err("`rays` must be from 1 to 1000000"));
+        }
+        let device = open(self.device.as_deref())?;
+        let mut guard = self.state(py);
+        let state = &mut *guard;
+        let Verification { found, tolerance } = device.run(py, || state.verify(device, rays))?.map_err(render_error)?;
+        let errors = PyDict::new(py);
+        for (name, count) in [
+            ("rays", found.rays),
+            ("unresolved", found.unresolved),
+            ("wrong_terminations", found.wrong),
+            ("flagged", found.flagged),
+        ] {
+            errors.set_item(name, count)?;
+        }
+        errors.set_item("tolerance", tolerance)?;
+        for (name, quantiles) in [("angle_radians", found.angle), ("position", found.position), ("tau", found.tau)] {
+            let own = PyDict::new(py);
+            own.set_item("median", quantiles.median)?;
+            own.set_item("p99", quantiles.p99)?;
+            own.set_item("max", quantiles.max)?;
+            errors.set_item(name, own)?;
+        }
+        Ok(errors)
     }
 
     /// Returns the image as a PNG, with the exposure and tone map of the scene.
@@ -184,6 +237,30 @@ impl Scene {
     fn checked(&self, files: &mut Files, changes: &[(String, Override)]) -> Result<Checked, SceneError> {
         let overrides: Vec<Override> = changes.iter().map(|(_, change)| change.clone()).collect();
         Checked::parse_with(files, &self.text, &self.path, &overrides)
+    }
+
+    /// Returns the values of the scene by their keys.
+    fn values(&self, py: Python, state: &State) -> PyResult<BTreeMap<String, String>> {
+        let overrides: Vec<Override> = state.changes.iter().map(|(_, change)| change.clone()).collect();
+        Checked::text_listing(&self.text, &self.path, &overrides).map_err(|error| scene_error(py, &error))
+    }
+
+    /// Renders an image from the rays of a map.
+    fn shaded(&self, py: Python, map: &LensMap, layers: &[Layer]) -> PyResult<Band> {
+        let device = open(self.device.as_deref())?;
+        let mut guard = self.state(py);
+        let state = &mut *guard;
+        map.check(&state.scene, &self.values(py, state)?)?;
+        if let Some(layer) = layers.iter().find(|layer| layer.is_of_paths()) {
+            let problem =
+                format!("the layer `{}` describes a whole path, and a lens map has only its end", layer.name());
+            return Err(PyValueError::new_err(problem));
+        }
+        if let Some(refusal) = layers.iter().find_map(|layer| layer.refused_by(&state.scene)) {
+            return Err(PyValueError::new_err(refusal));
+        }
+        let scene = Checked { rays: map.rays.clone(), ..state.scene.clone() };
+        device.run(py, || state.shade(device, scene, &map.ends, layers))?.map_err(render_error)
     }
 
     /// Renders an image of this size with this number of samples, by default those of the scene.

@@ -1,8 +1,12 @@
 //! The state of a scene: its renderer and tracer, which compile their programs once, and the integration methods that were chosen.
 
-use bentray::measure::{Preparation, calibrate, compared_layers};
-use bentray::program::{Layer, Mode};
-use bentray::render::{Band, Crossings, RenderError, RenderSettings, Renderer, Starts, Traced, Tracer, trace_paths};
+use std::sync::Arc;
+
+use bentray::measure::{Preparation, Verification, calibrate, compared_layers, verify};
+use bentray::program::{Layer, Mode, PathEnds};
+use bentray::render::{
+    Band, Crossings, LensMap, RenderError, RenderSettings, Renderer, Starts, Traced, Tracer, trace_paths,
+};
 use bentray::scene::{Files, Override, Rays, Scene as Checked};
 
 use crate::device::Device;
@@ -18,6 +22,8 @@ pub struct State {
     /// The integration of images, once it is chosen.
     image_rays: Option<Chosen>,
     pub tracer: Option<Tracer<'static>>,
+    /// The renderer of the last image from a map, with the map and the layers that it has compiled.
+    shader: Option<(Renderer<'static>, Arc<LensMap>, Vec<Layer>)>,
     /// The integration of traced rays, once it is chosen.
     traced_rays: Option<Chosen>,
 }
@@ -34,7 +40,16 @@ struct Chosen {
 impl State {
     /// Creates the state of a scene without changes.
     pub fn new(files: Files, scene: Checked) -> Self {
-        Self { changes: Vec::new(), files, scene, image: None, image_rays: None, tracer: None, traced_rays: None }
+        Self {
+            changes: Vec::new(),
+            files,
+            scene,
+            image: None,
+            image_rays: None,
+            tracer: None,
+            shader: None,
+            traced_rays: None,
+        }
     }
 
     /// Returns the integration of images or, before the first one, of traced rays, once it is chosen.
@@ -45,19 +60,7 @@ impl State {
 
     /// Renders an image, and chooses the method of the first one.
     pub fn draw(&mut self, device: Device, mut scene: Checked, layers: &[Layer]) -> Result<Band, RenderError> {
-        let mut settings = RenderSettings::default();
-        settings.options.layers = layers.to_vec();
-        if scene.rays.auto.is_some() {
-            let kept = self.image_rays.as_ref().filter(|chosen| chosen.asked == scene.rays);
-            let chosen = match kept {
-                Some(chosen) => chosen.clone(),
-                None => self.choose(device, &scene, &settings)?,
-            };
-            scene.rays.clone_from(&chosen.rays);
-            if chosen.compared {
-                settings.options.layers = compared_layers(layers);
-            }
-        }
+        let settings = self.settle(device, &mut scene, layers)?;
         self.image = self.image.take().filter(|(_, compiled)| *compiled == settings.options.layers);
         let kept = self.image.as_mut().map(|(renderer, _)| renderer.set_scene(scene.clone()));
         match kept {
@@ -70,6 +73,66 @@ impl State {
         }
         let Some((renderer, _)) = &mut self.image else { return Err(RenderError::NoCamera) };
         Ok(renderer.render()?.band)
+    }
+
+    /// Sets the method of images, which is chosen for the first one, and returns the settings for these layers.
+    fn settle(&mut self, device: Device, scene: &mut Checked, layers: &[Layer]) -> Result<RenderSettings, RenderError> {
+        let mut settings = RenderSettings::default();
+        settings.options.layers = layers.to_vec();
+        if scene.rays.auto.is_some() {
+            let kept = self.image_rays.as_ref().filter(|chosen| chosen.asked == scene.rays);
+            let chosen = match kept {
+                Some(chosen) => chosen.clone(),
+                None => self.choose(device, scene, &settings)?,
+            };
+            scene.rays.clone_from(&chosen.rays);
+            if chosen.compared {
+                settings.options.layers = compared_layers(layers);
+            }
+        }
+        Ok(settings)
+    }
+
+    /// Follows the rays of an image, and returns their ends with the integration.
+    pub fn map(&mut self, device: Device) -> Result<(LensMap, Rays), RenderError> {
+        let mut scene = self.scene.clone();
+        let mut settings = self.settle(device, &mut scene, &[])?;
+        settings.options.ends = PathEnds::Stored;
+        let rays = scene.rays.clone();
+        let (map, ..) = Renderer::keeping(device.gpu, scene, settings)?.map()?;
+        Ok((map, rays))
+    }
+
+    /// Renders an image from the ends of its rays.
+    pub fn shade(
+        &mut self,
+        device: Device,
+        scene: Checked,
+        map: &Arc<LensMap>,
+        layers: &[Layer],
+    ) -> Result<Band, RenderError> {
+        let is_kept = |(_, own, compiled): &(_, Arc<LensMap>, Vec<Layer>)| Arc::ptr_eq(own, map) && compiled == layers;
+        self.shader = self.shader.take().filter(is_kept);
+        let kept = self.shader.as_mut().map(|(renderer, ..)| renderer.set_scene(scene.clone()));
+        match kept {
+            Some(Ok(())) => {}
+            Some(Err(RenderError::OtherProgram)) | None => {
+                let mut settings = RenderSettings::default();
+                settings.options.layers = layers.to_vec();
+                let renderer = Renderer::of_map(device.gpu, scene, settings, map.clone())?;
+                self.shader = Some((renderer, map.clone(), layers.to_vec()));
+            }
+            Some(Err(error)) => return Err(error),
+        }
+        let Some((renderer, ..)) = &mut self.shader else { return Err(RenderError::NoCamera) };
+        Ok(renderer.render()?.band)
+    }
+
+    /// Compares random pixels of the image with a reference solution in 64 bits.
+    pub fn verify(&mut self, device: Device, count: usize) -> Result<Verification, RenderError> {
+        let mut scene = self.scene.clone();
+        let settings = self.settle(device, &mut scene, &[])?;
+        verify(device.gpu, &scene, &settings, count)
     }
 
     /// Searches for a method, and keeps the renderer that the search has compiled.

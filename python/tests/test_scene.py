@@ -136,6 +136,44 @@ def test_the_shadow_is_3_sqrt_3_wide():
     assert abs(captured.max() - math.sqrt(27)) < 2e-5
 
 
+MAPPED = {
+    "image": {"size": [48, 32], "samples": 2},
+    "camera": {"position": [0, 1, 12]},
+    "law": {"kind": "schwarzschild", "mass": 0.4},
+    "rays": {"bounding_sphere": {"radius": 30}},
+    "sky": {"color": [0.1, 0.2, 0.3]},
+    "materials": {"red": {"kind": "emissive", "color": [1, 0, 0]}},
+    "objects": [{"shape": "sphere", "material": "red", "center": [3, 0, 0]}],
+}
+
+
+def test_a_map_is_shaded_again():
+    scene = bentray.Scene(MAPPED)
+    lens_map = scene.map()
+    assert lens_map.size == (48, 32) and set(lens_map["id.status"].ravel()) == {1, 2, 3}
+    assert np.array_equal(scene.render(lens_map=lens_map)["color"], scene.render()["color"])
+    changes = {"sky.color": [0.5, 0, 0], "materials.red.color": [0, 1, 0]}
+    scene.set(changes)
+    shaded = scene.render(lens_map=lens_map, layers=["object"])
+    fresh = scene.render(layers=["object"])
+    assert np.array_equal(shaded["color"], fresh["color"]) and np.array_equal(shaded["object"], fresh["object"])
+    with pytest.raises(ValueError, match="describes a whole path"):
+        scene.render(lens_map=lens_map, layers=["depth"])
+    with pytest.raises(KeyError):
+        lens_map["direction"]
+    scene.set({"camera.position": [0, 2, 12]})
+    with pytest.raises(ValueError, match="`camera.position` differs"):
+        scene.render(lens_map=lens_map)
+
+
+def test_verify_measures_the_image():
+    errors = bentray.Scene(MAPPED).verify(200)
+    assert errors["rays"] + errors["unresolved"] + errors["wrong_terminations"] <= 200
+    assert errors["angle_radians"]["p99"] < 1e-2 and errors["wrong_terminations"] <= 4
+    with pytest.raises(ValueError):
+        bentray.Scene(MAPPED).verify(0)
+
+
 def test_crossings_of_a_shell():
     shell = {
         **HOLE,

@@ -66,17 +66,13 @@ impl EarlierMap {
     }
 }
 
+/// The extensions of images, which determine no path.
+const PICTURES: [&str; 6] = ["png", "jpg", "jpeg", "exr", "hdr", "gif"];
+
 /// Returns `true` if a difference changes only how the ends of paths look.
 fn may_differ(Difference { key, .. }: &Difference, scene: &Scene) -> bool {
-    const LOOKS: [&str; 5] = ["sky", "output", "lights", "ambient", "units"];
-    const PICTURES: [&str; 6] = ["png", "jpg", "jpeg", "exr", "hdr", "gif"];
-    let table = key.split('.').next().unwrap_or_default();
-    if let Some(file) = key.strip_prefix("file ") {
-        return PICTURES.iter().any(|extension| has_extension(Path::new(file), extension));
+    match key.strip_prefix("file ") {
+        Some(file) => PICTURES.iter().any(|extension| has_extension(Path::new(file), extension)),
+        None => scene.is_look(key),
     }
-    if let Some((name, value)) = key.strip_prefix("materials.").and_then(|rest| rest.split_once('.')) {
-        let ends = scene.materials.iter().any(|own| own.name == name && !own.surface.facts().continues);
-        return ends && !["kind", "opacity"].contains(&value);
-    }
-    LOOKS.contains(&table) || ["camera.redshift", "camera.color_shift", "image.footprints"].contains(&key.as_str())
 }

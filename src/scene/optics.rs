@@ -44,6 +44,18 @@ impl Scene {
         .find_map(|(is_so, problem)| is_so.then_some(problem))
     }
 
+    /// Returns `true` if a key of the scene file changes only how the ends of rays look, and not which rays are followed.
+    #[must_use]
+    pub fn is_look(&self, key: &str) -> bool {
+        const TABLES: [&str; 5] = ["sky", "output", "lights", "ambient", "units"];
+        const KEYS: [&str; 3] = ["camera.redshift", "camera.color_shift", "image.footprints"];
+        if let Some((name, own)) = key.strip_prefix("materials.").and_then(|rest| rest.split_once('.')) {
+            let ends = |material: &Material| material.name == name && !material.surface.facts().continues;
+            return self.materials.iter().any(ends) && !["kind", "opacity"].contains(&own);
+        }
+        KEYS.contains(&key) || TABLES.contains(&key.split('.').next().unwrap_or_default())
+    }
+
     /// Returns `true` if a surface or an interior changes the direction of rays.
     #[must_use]
     pub fn deflects(&self) -> bool {

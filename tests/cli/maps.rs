@@ -24,7 +24,7 @@ fn changes_that_need_other_rays_are_refused() {
         ),
         (
             "--set materials.red.kind=mirror",
-            "`materials.red.kind` is `mirror`, but the rays were traced with `emissive`",
+            "`materials.red.kind` is `\"mirror\"`, but the rays were traced with `\"emissive\"`",
         ),
         ("--samples 4", "`image.samples` is `4`, but the rays were traced with `1`"),
         ("--layers depth -o b.exr", "`depth` describes a whole path, and --from has only its end"),

@@ -9,10 +9,10 @@
 
 from enum import IntEnum
 
-from ._bentray import DeviceError, RenderError, Scene, SceneError, __version__, devices
+from ._bentray import DeviceError, LensMap, RenderError, Scene, SceneError, __version__, devices
 from ._bentray import statuses as _statuses
 
-__all__ = ["DeviceError", "RenderError", "Scene", "SceneError", "Status", "__version__", "devices"]
+__all__ = ["DeviceError", "LensMap", "RenderError", "Scene", "SceneError", "Status", "__version__", "devices"]
 
 Status = IntEnum("Status", _statuses(), module=__name__)
 Status.__doc__ = "The codes of the array `status`: how a ray ended."

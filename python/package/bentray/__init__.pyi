@@ -35,6 +35,17 @@ class Status(IntEnum):
 def devices() -> list[str]:
     """Return the names of the devices that can render, best first."""
 
+class LensMap:
+    """The ends of the rays of an image. `lens_map["direction.X"]` is an array of the shape (height, width), for the first ray of each pixel."""
+
+    def keys(self) -> list[str]:
+        """Return the names of the values."""
+
+    def __getitem__(self, name: str) -> NDArray[Any]: ...
+    @property
+    def size(self) -> tuple[int, int]:
+        """The width and height of the image."""
+
 class Scene:
     """A scene, with its program on a device.
 
@@ -65,11 +76,24 @@ class Scene:
         size: Optional[tuple[int, int]] = None,
         samples: Optional[int] = None,
         layers: Optional[Sequence[str]] = None,
+        lens_map: Optional[LensMap] = None,
     ) -> dict[str, NDArray[Any]]:
         """Return an image: arrays by the names of layers, with the first row at the top.
 
         `color` has the shape (height, width, 3) and is linear; `alpha` is there if the image has any. `layers` lists other layers,
         such as `depth` and `redshift`. `size` and `samples` replace those of the scene.
+
+        With `lens_map`, no ray is followed: the sky, lights, colors, textures and temperatures may differ from those of the scene
+        that made the map.
+        """
+
+    def map(self) -> LensMap:
+        """Follow the rays of the image, and return their ends, for `render(lens_map=...)`."""
+
+    def verify(self, rays: int = 1000) -> dict[str, Any]:
+        """Follow the rays of random pixels again in 64 bits, and return the errors of the image.
+
+        `rays` is the number of pixels. Returns the keys of `verification` in the JSON of `bentray render --verify`.
         """
 
     def trace(

@@ -94,6 +94,19 @@ impl Scene {
         Ok(lines)
     }
 
+    /// Returns the contents of a scene like [`listing`](Self::listing), from its text.
+    ///
+    /// # Errors
+    ///
+    /// Returns an error if the text is not valid TOML.
+    pub fn text_listing(
+        text: &str,
+        path: &Path,
+        overrides: &[Override],
+    ) -> Result<BTreeMap<String, String>, SceneError> {
+        Ok(Document::parse(text, path, overrides)?.listing())
+    }
+
     /// Parses and checks a scene file like [`load`](Self::load), from its text. `path` names the text in errors, and files are relative to
     /// the folder of `path`.
     ///
