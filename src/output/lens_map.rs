@@ -22,6 +22,9 @@ use super::{AtomicFile, OutputError};
 use crate::program::LayerKind;
 use crate::render::{Band, END_VALUES, LensMap, MapRound, Status};
 
+/// The attribute that distinguishes a map from an image, with the version of its channels.
+const CONTENTS: (&str, &str) = ("contents", "lens map 1");
+
 /// Writes a map, with the layers and the metadata of its image.
 ///
 /// # Errors
@@ -54,7 +57,8 @@ pub fn write(path: &Path, map: &LensMap, layers: &Band, metadata: &[(String, Str
     }
     let [width, height] = map.size.map(|side| side as usize);
     let size = Vec2(width, height);
-    let other = metadata.iter().map(|(key, value)| (text(key), AttributeValue::Text(text(value)))).collect();
+    let said = metadata.iter().map(|(key, value)| (key.as_str(), value.as_str())).chain([CONTENTS]);
+    let other = said.map(|(key, value)| (text(key), AttributeValue::Text(text(value)))).collect();
     let layer = ExrLayer::new(size, LayerAttributes::default(), Encoding::UNCOMPRESSED, AnyChannels::sort(all));
     let attributes = ImageAttributes { other, ..ImageAttributes::with_size(size) };
     let written = Image::new(attributes, layer).write().to_buffered(&mut file);
@@ -105,6 +109,17 @@ pub fn read_map(path: &Path) -> Result<(LensMap, Vec<(String, String)>), OutputE
         path: path.to_owned(),
         problem: "it is not a lens map; `bentray map` writes one".to_owned(),
     };
+    let metadata = image.attributes.other.iter().chain(&image.layer_data.attributes.other);
+    let metadata = metadata.filter_map(|(key, value)| match value {
+        AttributeValue::Text(text) => {
+            let utf8 = |text: &Text| String::from_utf8(text.as_slice().to_vec()).ok();
+            Some((utf8(key)?, utf8(text)?))
+        }
+        _ => None,
+    });
+    let mut metadata: Vec<(String, String)> = metadata.collect();
+    let contents = metadata.iter().position(|(key, text)| (key.as_str(), text.as_str()) == CONTENTS);
+    metadata.swap_remove(contents.ok_or_else(wrong)?);
     let Vec2(width, height) = image.layer_data.size;
     let pixels = width * height;
     let size = [width, height].map(|side| u32::try_from(side).unwrap_or(u32::MAX));
@@ -133,15 +148,7 @@ pub fn read_map(path: &Path) -> Result<(LensMap, Vec<(String, String)>), OutputE
     if map.plane("id.status").is_empty() || !map.rounds.iter().flat_map(|round| &round.planes).all(is_whole) {
         return Err(wrong());
     }
-    let metadata = image.attributes.other.iter().chain(&image.layer_data.attributes.other);
-    let metadata = metadata.filter_map(|(key, value)| match value {
-        AttributeValue::Text(text) => {
-            let utf8 = |text: &Text| String::from_utf8(text.as_slice().to_vec()).ok();
-            Some((utf8(key)?, utf8(text)?))
-        }
-        _ => None,
-    });
-    Ok((map, metadata.collect()))
+    Ok((map, metadata))
 }
 
 /// Returns the sample and the branch of a channel with a prefix.

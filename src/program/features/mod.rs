@@ -361,7 +361,10 @@ impl Features {
     /// Returns `true` if the distance τ along the path is needed.
     #[must_use]
     pub fn asks_tau(&self) -> bool {
-        self.needs_arcs || self.keeps_crossings || !matches!(self.mode, Mode::Picture | Mode::Bare)
+        self.needs_arcs
+            || self.keeps_crossings
+            || self.ends == PathEnds::Stored
+            || !matches!(self.mode, Mode::Picture | Mode::Bare)
     }
 }
 
