@@ -101,15 +101,20 @@ const MEDIA: [(&str, &str); 7] = [
 ];
 
 /// Modules that no short scene links, or no scene at all, each with a test that does.
-const TESTED: [(&str, &str); 9] = [
+const TESTED: [(&str, &str); 14] = [
     ("device_speed/multiply_add", "json_is_for_scripts"),
     ("device_speed/texture_read", "json_is_for_scripts"),
     ("device_speed/texture_write", "json_is_for_scripts"),
     ("law/time_given", "a_users_flow_is_followed"),
     ("medium/grid", "splines_go_through_their_samples"),
+    ("pass/reshade", "images_from_maps_have_the_bits_of_new_ones"),
+    ("picture/bundle/corners", "images_from_maps_have_the_bits_of_new_ones"),
+    ("picture/bundle/stored", "images_from_maps_have_the_bits_of_new_ones"),
     ("segment/order_placed", "a_mesh_that_is_kept_once_is_met_where_its_copies_are"),
+    ("segment/stored_end", "images_from_maps_have_the_bits_of_new_ones"),
     ("segment/structure/bvh_instances", "a_mesh_that_is_kept_once_is_met_where_its_copies_are"),
     ("shape/instance", "a_mesh_that_is_kept_once_is_met_where_its_copies_are"),
+    ("state/ends", "images_from_maps_have_the_bits_of_new_ones"),
     ("surface/vertex_colors", "vertex_colors_multiply_the_color_of_any_material"),
 ];
 

@@ -48,6 +48,11 @@ fn bands(width: u32, heights: &[u32]) -> Vec<Band> {
                 (Layer::Accumulated, Plane::Vector([13, 14, 15].map(plane))),
                 (Layer::LuminanceM2, Plane::Scalar(plane(16))),
                 (Layer::ImageOrder, Plane::Vector([19, 20, 21].map(plane))),
+                (Layer::CrossingRadius, Plane::Crossings([23, 24, 25, 26].map(plane))),
+                (Layer::CrossingAzimuth, Plane::Crossings([27, 28, 29, 30].map(plane))),
+                (Layer::CrossingTime, Plane::Crossings([31, 32, 33, 34].map(plane))),
+                (Layer::CrossingRedshift, Plane::Crossings([35, 36, 37, 38].map(plane))),
+                (Layer::CrossingAngle, Plane::Crossings([39, 40, 41, 42].map(plane))),
             ],
         });
         first_row += rows;
