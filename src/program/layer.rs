@@ -89,6 +89,9 @@ impl Layer {
             Self::CrossingRedshift if !scene.has_frequencies() => Some(
                 "the layer `crossing_redshift` requires camera.observer and a law that defines the frequency of light",
             ),
+            Self::CrossingAngle if !scene.law.facts().momentum_parts.is_empty() && !scene.has_frequencies() => Some(
+                "the layer `crossing_angle` requires camera.observer under a law that defines the frequency of light",
+            ),
             Self::CrossingTime if !scene.law.facts().keeps_time => Some(
                 "the layer `crossing_time` requires a law whose τ is a time, such as law.kind = \"kerr-newman\" for any black hole",
             ),
