@@ -99,7 +99,7 @@ pub fn points(py: Python, paths: Vec<Vec<[f64; 3]>>) -> PyResult<Bound<PyList>> 
     PyList::new(py, paths.into_iter().map(array).collect::<PyResult<Vec<_>>>()?)
 }
 
-/// Returns the values of crossings as arrays of the shape (rays, crossings): NaN where there are none, and −1 for the object.
+/// Returns crossings as arrays of the shape (rays, crossings). A missing crossing is NaN, and its object is −1.
 pub fn crossings<'py>(py: Python<'py>, rays: &[Crossings]) -> PyResult<Bound<'py, PyDict>> {
     let shape = [rays.len(), CROSSINGS];
     let each = || rays.iter().flatten();
