@@ -6,7 +6,7 @@ use bentray::scene::Scene;
 use glam::DVec3;
 
 use crate::support::lens::{columns, vector};
-use crate::support::{gpu, scene};
+use crate::support::{assert_same_image, gpu, scene};
 
 const TABLE: &str = include_str!("tables/filters.tsv");
 
@@ -176,7 +176,7 @@ fn every_schedule_filters_alike() {
         for schedule in Schedule::ALL {
             for masks in [RaySkipping::List, RaySkipping::Off] {
                 let other = rendered(&scene, ProgramOptions { schedule, masks, ..ProgramOptions::default() });
-                assert!(other.band == usual.band, "{schedule:?} {masks:?}\n{text}");
+                assert_same_image(&other, &usual, &format_args!("{schedule:?} {masks:?}\n{text}"));
             }
         }
     }

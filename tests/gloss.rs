@@ -6,7 +6,7 @@ use bentray::glam::{DVec3, dvec3};
 use bentray::program::{ProgramOptions, RaySkipping, Schedule};
 use bentray::render::{RenderSettings, Renderer, Rendering, Status};
 
-use crate::support::{gpu, mean_of, scene};
+use crate::support::{assert_same_image, gpu, mean_of, scene};
 
 fn rendered(text: &str, options: ProgramOptions) -> Rendering {
     Renderer::new(&gpu(), &scene(text), RenderSettings { options, ..RenderSettings::default() })
@@ -166,6 +166,6 @@ fn every_schedule_draws_the_same_lobes() {
     let usual = rendered(&text, ProgramOptions::default());
     for schedule in Schedule::ALL {
         let other = rendered(&text, ProgramOptions { schedule, masks: RaySkipping::Off, ..ProgramOptions::default() });
-        assert!(other.band == usual.band, "{schedule:?}");
+        assert_same_image(&other, &usual, &format_args!("{schedule:?}"));
     }
 }

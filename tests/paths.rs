@@ -4,7 +4,7 @@ use bentray::program::{Layer, ProgramOptions, RaySkipping, Schedule};
 use bentray::render::{Plane, RenderSettings, Renderer, Rendering, Status, Window};
 use bentray::scene::{Override, Scene};
 
-use crate::support::{gpu, mean_of, scene, scenes_in};
+use crate::support::{assert_same_image, gpu, mean_of, scene, scenes_in};
 
 /// Returns a closed ball that emits and reflects: its radiance is L = Le/(1 − albedo) in every direction, under any law.
 fn furnace(law: &str, camera: &str, rest: &str) -> String {
@@ -137,7 +137,7 @@ fn every_schedule_gives_the_same_bits() {
         for schedule in Schedule::ALL {
             for masks in [RaySkipping::List, RaySkipping::Grid, RaySkipping::Off] {
                 let settings = RenderSettings { options: of(schedule, masks), ..RenderSettings::default() };
-                assert!(rendered(&scene, settings).band == usual.band, "{schedule:?} {masks:?}");
+                assert_same_image(&rendered(&scene, settings), &usual, &format_args!("{schedule:?} {masks:?}"));
             }
         }
         let window = Window { origin: [5, 7], size: [8, 7] };

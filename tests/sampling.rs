@@ -4,7 +4,7 @@ use bentray::program::{Layer, ProgramOptions, RaySkipping, Schedule};
 use bentray::render::{Adaptive, Plane, RenderSettings, Renderer, Rendering, Window};
 use bentray::scene::Scene;
 
-use crate::support::{gpu, scene};
+use crate::support::{assert_same_image, gpu, scene};
 
 /// A glass ball and a silver one in front of a checkered wall, in a circular image with nothing outside.
 const GLASS: &str = r#"
@@ -110,7 +110,7 @@ fn adaptive_pictures_do_not_depend_on_the_schedule() {
         (Schedule::Paper, RaySkipping::Off, 1),
     ] {
         let other = one(schedule, masks, segments);
-        assert!(first.band == other.band, "{schedule:?}, {masks:?}, K = {segments}");
+        assert_same_image(&other, &first, &format_args!("{schedule:?}, {masks:?}, K = {segments}"));
         assert_eq!((&first.totals.by_status, adaptive), (&other.totals.by_status, counts(&other).1), "{schedule:?}");
     }
 }

@@ -20,8 +20,7 @@ impl Drop for Killed {
 }
 
 /// A render that takes minutes.
-const LONG: &str =
-    "render scene.toml -o a.png -o a.exr --size 800x600 --samples 4096 --set law.kind=schwarzschild --set law.mass=0.1";
+const LONG: &str = "render scene.toml -o a.png -o a.exr --size 4000x3000 --samples 16384 --set law.kind=schwarzschild --set law.mass=0.1";
 
 /// Returns a command that ignores these signals and handles all others by default, whatever started the tests: `nohup` and
 /// a shell's `&` make programs ignore signals.

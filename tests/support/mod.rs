@@ -5,6 +5,8 @@ pub mod lens;
 pub mod probe;
 pub mod tree;
 
+use std::fmt::Display;
+use std::iter::zip;
 use std::ops::Deref;
 use std::path::Path;
 use std::sync::{LazyLock, Mutex, MutexGuard, PoisonError};
@@ -13,6 +15,7 @@ use bentray::gpu::{Geometry, Gpu};
 use bentray::program::{Program, ProgramOptions};
 use bentray::render::Rendering;
 use bentray::scene::Scene;
+use wgpu::DeviceType;
 
 /// Opens the default device of `render`. Without a device the tests fail with a message that names the package to install;
 /// tests in f64 fail on a device that does not support it.
@@ -52,6 +55,32 @@ fn idle() -> MutexGuard<'static, Vec<Gpu>> {
 pub fn scene(text: &str) -> Scene {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("scenes/test.toml");
     Scene::parse(text, &path, &[]).unwrap_or_else(|error| panic!("{error}"))
+}
+
+/// Asserts that a schedule does not change an image.
+pub fn assert_same_image(found: &Rendering, expected: &Rendering, what: &dyn Display) {
+    if found.band != expected.band {
+        let values = |picture: &Rendering| picture.band.color.concat();
+        assert_rounding(&values(found), &values(expected), what);
+    }
+}
+
+/// Asserts that two images that are not the same differ only where they may. On a CPU every schedule gives the same bits. Compilers of
+/// GPUs merge multiplications and additions differently in each program, so there one value in fifty may differ by more than rounding.
+pub fn assert_rounding(found: &[f32], expected: &[f32], what: &dyn Display) {
+    let apart: Vec<f32> = zip(found, expected)
+        .filter(|(x, y)| x.to_bits() != y.to_bits())
+        .map(|(x, y)| (x - y).abs() / (1.0 + y.abs()))
+        .collect();
+    let far = apart.iter().filter(|apart| **apart > 1e-4).count();
+    let most = apart.iter().copied().fold(0.0, f32::max);
+    let rounding =
+        gpu().info.device_type != DeviceType::Cpu && found.len() == expected.len() && far * 50 <= found.len();
+    assert!(
+        rounding,
+        "{what}: {} color values differ, {far} of them by more than 1e-4, at most by {most}",
+        apart.len()
+    );
 }
 
 /// Returns the mean of an image's channel over its pixels, which all show the same point, and its standard error.

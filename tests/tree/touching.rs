@@ -3,7 +3,7 @@
 use super::device::{ROOM, agreement, room};
 use super::{difference, with_objects};
 use crate::exactness::unused;
-use crate::support::{gpu, scene};
+use crate::support::{assert_same_image, gpu, scene};
 use bentray::gpu::Geometry;
 use bentray::program::{Layer, Mode, Program, ProgramOptions, RaySkipping, Schedule};
 use bentray::render::{RenderSettings, Renderer};
@@ -129,7 +129,11 @@ fn touching_objects_do_not_depend_on_the_schedule() {
                 (Schedule::Paper, RaySkipping::Grid),
             ] {
                 let other = rendered(&text, options(schedule, masks));
-                assert!(first.band == other.band, "{name}: {schedule:?}, masks {masks:?}, {segments} segments");
+                assert_same_image(
+                    &other,
+                    &first,
+                    &format_args!("{name}: {schedule:?}, masks {masks:?}, {segments} segments"),
+                );
                 assert_eq!(first.totals.by_status, other.totals.by_status, "{name}");
             }
         }
