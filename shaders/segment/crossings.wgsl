@@ -6,17 +6,19 @@ const CROSSINGS_KEPT: u32 = 4u;
 // Rows of a crossing.
 const CROSSING_ROWS: u32 = 3u;
 
-// The start of the path, and the rows of each crossing: (x, τ), (dx/dλ, g) and (n, object), with the affine parameter λ in which light has
-// frequency 1 at the camera, the surface normal n, and the index of the object from 1; 0 for none. Without a frequency g is 0, and λ is τ.
+// The start of the path with its distance from the start of the ray, and the rows of each crossing: (x, τ), (dx/dλ, g) and (n, object), with
+// the affine parameter λ in which light has frequency 1 at the camera, the surface normal n, and the index of the object from 1; 0 for
+// none. Without a frequency g is 0, and λ is τ.
 var<storage, read_write> pixel_crossings: array<array<Real4, 13>>;
 // The number of crossings so far.
 var<storage, read_write> pixel_crossed: array<u32>;
 
-fn begin_crossings(pixel: vec2u, x: Real3) {
+// x is where the path starts, at a distance from the start of the ray if that is outside of the bounding sphere.
+fn begin_crossings(pixel: vec2u, x: Real3, away: Real) {
     if frame.sample + frame.branch == 0u {
         let place = place_in_tile(pixel);
         pixel_crossed[place] = 0u;
-        pixel_crossings[place][0] = Real4(x, 0.0);
+        pixel_crossings[place][0] = Real4(x, away);
     }
 }
 

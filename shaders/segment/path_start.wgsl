@@ -8,12 +8,13 @@ fn path_start(pixel: vec2u) -> Ray {
     if KEEPS_LENGTH {
         begin_length(pixel);
     }
-    let start = arrived(picture_ray(sampled_pixel(pixel)));
+    let given = picture_ray(sampled_pixel(pixel));
+    let start = arrived(given);
     start_region(start.x, start.d, pixel);
     let phase = opaque_phase(law_start(start.x, start.d));
     start_throughput(phase[0].xyz);
     if KEEPS_CROSSINGS {
-        begin_crossings(pixel, phase[0].xyz);
+        begin_crossings(pixel, phase[0].xyz, length(given.x - start.x));
     }
     var ray = Ray(phase, 0.0, 0.0, first_memory(phase), 0.0, 0u, 0u, 0u, start.status);
     if ray.status == ALIVE && law_captured(phase[0].xyz, phase[1].xyz) {

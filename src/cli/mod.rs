@@ -49,6 +49,7 @@ mod new;
 mod options;
 mod origin;
 mod paths;
+mod profile;
 mod queue;
 mod render;
 mod screen;
@@ -92,6 +93,7 @@ enum Command {
     Check(check::Arguments),
     Trace(trace::Arguments),
     Light(light::Arguments),
+    Profile(profile::Arguments),
     Devices(devices::Arguments),
     Doctor(doctor::Arguments),
     Wgsl(wgsl::Arguments),
@@ -130,6 +132,7 @@ pub fn run() -> Result<ExitCode, Error> {
         Command::Video(arguments) => video::run(&arguments),
         Command::Trace(arguments) => trace::run(&arguments),
         Command::Light(arguments) => light::run(&arguments),
+        Command::Profile(arguments) => profile::run(&arguments),
         Command::Devices(arguments) => devices::run(&arguments),
         Command::Wgsl(arguments) => wgsl::run(&arguments),
         Command::Bench(arguments) => bench::run(&arguments),
@@ -152,6 +155,7 @@ const RENAMED: &[(&[&str], &str)] = &[
     (&["convert"], "bentray import"),
     (&["benchmark"], "bentray bench"),
     (&["gpus", "adapters", "info"], "bentray devices"),
+    (&["spectrum", "lightcurve", "light-curve", "line", "flux"], "bentray profile"),
     (&["geodesic", "raytrace", "rays"], "bentray trace"),
     (&["--no-list"], "--no-compaction"),
     (&["--no-masks"], "--no-early-termination"),

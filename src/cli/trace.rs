@@ -15,17 +15,17 @@ use super::choose_method::{Settled, settle};
 use super::decisions::Rays;
 use super::frames::Film;
 use super::options::{DeviceFlags, SceneOptions};
-use super::paths;
 use super::render::warn;
+use super::{of_scene, paths};
 use crate::error::Error;
 use crate::gpu::Gpu;
-use crate::measure::{Curve, drift};
+use crate::measure::{Curve, Jacobian, OpticalPath, drift, jacobians, optical_paths, refuses_optical_paths};
 use crate::output::csv::read_rays;
 use crate::output::plot::check_plot;
 use crate::output::table::Table;
 use crate::program::Layer;
 use crate::render::{
-    self, Crossing, PathPoint, RenderSettings, StartUp, Traced, Tracer, pixel_starts, trace, trace_paths,
+    self, Crossing, PathPoint, RenderSettings, StartUp, Totals, Traced, Tracer, pixel_starts, trace, trace_paths,
 };
 use crate::scene::{CutPlane, Scene};
 
@@ -33,6 +33,7 @@ use crate::scene::{CutPlane, Scene};
 #[derive(Debug, Args)]
 #[command(group(clap::ArgGroup::new("starts").args(["rays", "fan", "bundle", "pixel"]).required(true).multiple(true)))]
 #[command(group(clap::ArgGroup::new("results").args(["output", "plot", "focus", "windings"]).required(true).multiple(true)))]
+#[allow(clippy::struct_excessive_bools)] // flags, each by itself
 pub(super) struct Arguments {
     /// The scene file, or - for standard input; its camera is used only with --pixel
     scene: PathBuf,
@@ -59,6 +60,13 @@ pub(super) struct Arguments {
     /// path: position, radius r, azimuth φ, time t, redshift factor g, and the angle to the surface normal
     #[arg(long, requires = "output", conflicts_with = "path")]
     crossings: bool,
+    /// Write the derivatives of the end by the direction at the start instead of the end: of its direction (d11 to d22), of its position
+    /// (x11 to x22), and the magnification of a distant source
+    #[arg(long, requires = "output", conflicts_with_all = ["path", "crossings"])]
+    jacobian: bool,
+    /// Write the length ∫ ds and the optical path ∫ n ds of each ray instead of its end, in media and along straight rays
+    #[arg(long, requires = "output", conflicts_with_all = ["path", "crossings", "jacobian"])]
+    optical_path: bool,
     /// Draw the paths in a plane, as SVG or PNG, with the surfaces that intersect it
     #[arg(long, value_name = "FILE", value_parser = paths::file())]
     plot: Option<PathBuf>,
@@ -92,6 +100,9 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Error> {
     if arguments.diagram.attractor.is_some() && scene.law.facts().ignores_direction.is_none() {
         return Err(usage!("--attractor requires a flow such as law.kind = \"lorenz\""));
     }
+    if let Some(problem) = refuses_optical_paths(&scene).filter(|_| arguments.optical_path) {
+        return Err(of_scene(&arguments.scene, problem));
+    }
     if let Some([x, y]) = arguments.pixel.iter().find(|[x, y]| *x >= scene.image.size[0] || *y >= scene.image.size[1]) {
         let [width, height] = scene.image.size;
         return Err(usage!("pixel {x},{y} is outside the image of {width}x{height} pixels"));
@@ -105,6 +116,8 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Error> {
     let mut starts = Starts::of(arguments, scene.law.facts().ignores_direction.is_none())?;
     let mut table = match &arguments.output {
         Some(output) if arguments.crossings => Some(Table::create::<(usize, usize, &Crossing)>(output)?),
+        Some(output) if arguments.jacobian => Some(Table::create::<(usize, &Traced, Option<Jacobian>)>(output)?),
+        Some(output) if arguments.optical_path => Some(Table::create::<(usize, OpticalPath)>(output)?),
         Some(output) if arguments.path => Some(Table::create::<(usize, usize, &PathPoint)>(output)?),
         Some(output) => Some(Table::create::<(usize, &Traced)>(output)?),
         None => None,
@@ -119,7 +132,24 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Error> {
     if let Some(table) = table.as_mut().filter(|_| arguments.crossings) {
         write_crossings(&gpu, &scene, &settings, (&starts, &arguments.pixel), table)?;
     }
-    let ends = table.is_some() && !arguments.path && !arguments.crossings;
+    if let Some(table) = table.as_mut().filter(|_| arguments.jacobian) {
+        let (ends, totals) = jacobians(&gpu, &scene, &settings, rays)?;
+        for (i, (end, jacobian)) in ends.iter().enumerate() {
+            table.write(&(i, end, *jacobian))?;
+        }
+        tell!("{totals}");
+        warn(&totals);
+    }
+    if let Some(table) = table.as_mut().filter(|_| arguments.optical_path) {
+        let mut totals = Totals::default();
+        for (i, path) in optical_paths(&gpu, &scene, &settings, rays)?.into_iter().enumerate() {
+            table.write(&(i, path))?;
+            totals.add(&Totals { rays: 1, by_status: vec![(path.status, 1)], ..Totals::default() });
+        }
+        warn(&totals);
+    }
+    let others = [arguments.path, arguments.crossings, arguments.jacobian, arguments.optical_path];
+    let ends = table.is_some() && !others.contains(&true);
     if ends || arguments.drift {
         let (traced, totals) = trace(&gpu, &scene, &settings, rays)?;
         for (i, ray) in traced.iter().enumerate() {

@@ -6,8 +6,11 @@
 use std::io::{self, BufWriter, ErrorKind, Stdout, Write};
 use std::path::Path;
 
+use glam::DMat2;
+
 use super::npy::{array_file, write_archive};
 use super::{AtomicFile, OutputError, has_extension};
+use crate::measure::{Jacobian, OpticalPath};
 use crate::render::{Crossing, PathPoint, Traced};
 
 /// A path from a light to a position, or its absence.
@@ -85,6 +88,33 @@ impl Row for (usize, usize, &Crossing) {
         let first = [index(ray), index(order), index(*object as usize)];
         let place = x.iter().chain([tau, radius, azimuth]).map(|value| Some(*value));
         first.into_iter().chain(place.chain([*time, *redshift, *angle]).map(Field::Number)).collect()
+    }
+}
+
+/// A ray by its index in the input, its end, and the change of the end with the direction at the start.
+impl Row for (usize, &Traced, Option<Jacobian>) {
+    const COLUMNS: &'static [&'static str] =
+        &["ray", "status", "magnification", "d11", "d12", "d21", "d22", "x11", "x12", "x21", "x22"];
+
+    fn fields(&self) -> Vec<Field> {
+        let (ray, end, jacobian) = *self;
+        let magnification = jacobian.map(|jacobian| jacobian.magnification());
+        let rows = |of: fn(&Jacobian) -> DMat2| {
+            let matrix = jacobian.as_ref().map(of);
+            [(0, 0), (0, 1), (1, 0), (1, 1)].map(|(row, column)| matrix.map(|matrix| matrix.row(row)[column]))
+        };
+        let numbers = [magnification].into_iter().chain(rows(|j| j.direction)).chain(rows(|j| j.position));
+        [index(ray), Field::Word(end.status.name())].into_iter().chain(numbers.map(Field::Number)).collect()
+    }
+}
+
+/// A ray by its index in the input, with the lengths of its path.
+impl Row for (usize, OpticalPath) {
+    const COLUMNS: &'static [&'static str] = &["ray", "status", "length", "optical_path"];
+
+    fn fields(&self) -> Vec<Field> {
+        let (ray, OpticalPath { status, length, optical }) = *self;
+        vec![index(ray), Field::Word(status.name()), Field::Number(Some(length)), Field::Number(Some(optical))]
     }
 }
 

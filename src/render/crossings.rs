@@ -21,7 +21,8 @@ pub struct Crossing {
     pub radius: f64,
     /// The azimuth φ, from −π to π, counterclockwise about the law's axis, or the object's y axis.
     pub azimuth: f64,
-    /// The travel time t of light, in scene units: Boyer–Lindquist time around a rotating black hole. `None` if τ is not a time.
+    /// The travel time t of light to the start of the ray, in scene units: Boyer–Lindquist time around a rotating black hole. `None` if τ is
+    /// not a time.
     pub time: Option<f64>,
     /// The redshift factor g, for an observer at the camera, or at the start of a given ray. `None` if light has no frequency.
     pub redshift: Option<f64>,
@@ -42,7 +43,7 @@ fn of_ray(row: &Row, [crossed, values]: [Option<&Field>; 2], scene: &Scene) -> C
     let count = row.word(crossed) as usize;
     let numbers = row.numbers::<{ 4 * (1 + ROWS * CROSSINGS) }>(values);
     let (rows, _) = numbers.as_chunks();
-    let start = DVec4::from_array(rows[0]).truncate();
+    let start = DVec4::from_array(rows[0]);
     let (points, _) = rows[1..].as_chunks();
     std::array::from_fn(|k| {
         let rows: &[[f64; 4]; ROWS] = points.get(k).filter(|_| k < count)?;
@@ -53,7 +54,7 @@ fn of_ray(row: &Row, [crossed, values]: [Option<&Field>; 2], scene: &Scene) -> C
 /// The number of rows of a crossing, as in `shaders/segment/crossings.wgsl`.
 const ROWS: usize = 3;
 
-fn crossing([place, light, surface]: [DVec4; ROWS], start: DVec3, scene: &Scene) -> Crossing {
+fn crossing([place, light, surface]: [DVec4; ROWS], start: DVec4, scene: &Scene) -> Crossing {
     let (x, tau) = (place.truncate(), place.w);
     let object = surface.w as u32 - 1;
     let around = |x| scene.law.spherical(x).unwrap_or_else(|| scene.objects[object as usize].spherical(x));
@@ -65,7 +66,11 @@ fn crossing([place, light, surface]: [DVec4; ROWS], start: DVec3, scene: &Scene)
         tau,
         radius: here.radius,
         azimuth: here.azimuth,
-        time: scene.law.facts().keeps_time.then(|| tau - around(start).time_ahead + here.time_ahead),
+        time: scene
+            .law
+            .facts()
+            .keeps_time
+            .then(|| start.w + tau - around(start.truncate()).time_ahead + here.time_ahead),
         redshift,
         angle: angle(x, light.truncate(), surface.truncate(), redshift, scene)
             .filter(|_| scene.objects[object as usize].travel.is_none()),

@@ -228,6 +228,27 @@ impl Totals {
         Self::ends(tally).map(|(_, n)| n).sum()
     }
 
+    /// Adds the totals of other rays of the same program.
+    pub fn add(&mut self, other: &Self) {
+        self.rays += other.rays;
+        self.steps += other.steps;
+        self.rejected += other.rejected;
+        self.segments += other.segments;
+        self.unlit += other.unlit;
+        self.lost += other.lost;
+        self.unfiltered += other.unfiltered;
+        self.overrun += other.overrun;
+        self.wall += other.wall;
+        let device = |times: [Duration; 5]| self.device.map_or(times, |own| std::array::from_fn(|k| own[k] + times[k]));
+        self.device = other.device.map(device);
+        for (status, n) in &other.by_status {
+            match self.by_status.iter_mut().find(|(own, _)| own == status) {
+                Some((_, count)) => *count += n,
+                None => self.by_status.push((*status, *n)),
+            }
+        }
+    }
+
     /// Adds a tile's tally, the `Tally` of `shaders/state/tally.wgsl`.
     pub(super) fn add_tally(&mut self, tally: &Row) {
         self.steps += tally.wide("steps");

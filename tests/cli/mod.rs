@@ -24,6 +24,7 @@ mod measures;
 mod parts;
 mod paths;
 mod pictures;
+mod profile;
 mod progress;
 mod same_files;
 mod shutter;

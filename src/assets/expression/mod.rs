@@ -10,6 +10,7 @@
 
 mod curve;
 mod derive;
+mod emissivity;
 mod fan;
 mod functions;
 mod graph;
@@ -25,6 +26,7 @@ mod tree;
 mod variable;
 
 pub use curve::Curve;
+pub use emissivity::Emissivity;
 pub use fan::FanRay;
 pub use functions::Function;
 pub use graph::{Graph, Id, Node};
@@ -91,6 +93,19 @@ static FAN: Language = Language {
         Name::Pi,
     ],
     example: "dx + 2*c*nx",
+    terms: Vec::new(),
+};
+
+/// Functions of where, when and at which angle light leaves a surface; mu is the cosine of the angle to the normal.
+static EMISSION: Language = Language {
+    names: &[
+        Name::Variable("r", Variable(0)),
+        Name::Variable("phi", Variable(1)),
+        Name::Variable("t", Variable(2)),
+        Name::Variable("mu", Variable(3)),
+        Name::Pi,
+    ],
+    example: "r^-3",
     terms: Vec::new(),
 };
 

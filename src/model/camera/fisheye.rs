@@ -61,6 +61,12 @@ impl Projection for Fisheye {
         Some(self.fov.to_radians() / width.min(height))
     }
 
+    fn solid_angle(&self, [width, height]: [f64; 2], point: DVec2) -> Option<f64> {
+        let angle = (point * DVec2::new(width, height) / width.min(height)).length() * 0.5 * self.fov.to_radians();
+        let ratio = if angle == 0.0 { 1.0 } else { angle.sin().abs() / angle };
+        Some(self.pixel_angle([width, height])?.powi(2) * ratio)
+    }
+
     fn is_transparent(&self) -> bool {
         self.corners == Corners::Transparent
     }

@@ -14,7 +14,7 @@ mod worldline;
 use std::fmt;
 use std::sync::Arc;
 
-use glam::DVec3;
+use glam::{DVec2, DVec3};
 
 use super::dyn_eq::same;
 use super::{Binding, DynEq, Observer, Row, row};
@@ -22,7 +22,7 @@ use crate::document::reader::TableReader;
 use crate::document::{self, Kinds};
 
 pub use fisheye::{Corners, Fisheye};
-pub use observer::{frequency, frequency_of_given, observer};
+pub use observer::{frame, frequency, frequency_of_given, observer};
 pub use panorama::Panorama;
 pub use pinhole::Pinhole;
 pub use plane::Plane;
@@ -59,6 +59,10 @@ pub trait Projection: fmt::Debug + Send + Sync + DynEq {
 
     /// Returns the angle of a pixel at the center of a view of `pixels`, in radians, or `None` for parallel rays.
     fn pixel_angle(&self, pixels: [f64; 2]) -> Option<f64>;
+
+    /// Returns the solid angle of a pixel of a view of `pixels` at `point` of the image plane, x to the right and y up, both in [−1, 1];
+    /// `None` for parallel rays.
+    fn solid_angle(&self, pixels: [f64; 2], point: DVec2) -> Option<f64>;
 
     /// Returns the length of a pixel at the center of a view of `pixels`, on the plane at this distance, in scene units; `None` if views
     /// are not planes.
@@ -201,6 +205,14 @@ impl Camera {
     #[must_use]
     pub fn pixel_angle(&self, size: [u32; 2]) -> Option<f64> {
         self.projection.pixel_angle(self.view_size(size).map(f64::from))
+    }
+
+    /// Returns the solid angle of a pixel `[column, row]` of an image of this size with a single view, in steradians; `None` for parallel rays.
+    #[must_use]
+    pub fn solid_angle(&self, size: [u32; 2], pixel: [u32; 2]) -> Option<f64> {
+        let [pixels, [x, y]] = [size, pixel].map(|pair| pair.map(f64::from));
+        let point = DVec2::new(2.0 * (x + 0.5) / pixels[0] - 1.0, 1.0 - 2.0 * (y + 0.5) / pixels[1]);
+        self.projection.solid_angle(pixels, point)
     }
 
     /// Returns the length of a pixel at the center of an image of this size, on the plane through the point that the camera looks at, in

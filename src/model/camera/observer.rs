@@ -9,13 +9,13 @@
 use glam::{DMat4, DVec3, DVec4};
 
 use super::Camera;
-use crate::model::{Law, Row, row};
+use crate::model::{Law, Observer, Row, row};
 
 /// Returns the observer's right, up and forward vectors by Gram–Schmidt from the scene's vectors in the order forward, up, right.
-fn tetrad(metric: &DMat4, u: DVec4, camera: &Camera) -> [DVec4; 3] {
+fn tetrad(metric: &DMat4, u: DVec4, [right, up, forward]: [DVec3; 3]) -> [DVec4; 3] {
     let product = |a: DVec4, b: DVec4| a.dot(*metric * b);
     let mut found: Vec<DVec4> = Vec::new();
-    for axis in [camera.forward, camera.up, camera.right] {
+    for axis in [forward, up, right] {
         let mut e = axis.extend(0.0);
         e += product(u, e) * u;
         for &other in &found {
@@ -24,6 +24,12 @@ fn tetrad(metric: &DMat4, u: DVec4, camera: &Camera) -> [DVec4; 3] {
         found.push(e / product(e, e).sqrt());
     }
     [found[2], found[1], found[0]]
+}
+
+/// Returns an observer's unit vectors along the scene's `[right, up, forward]` at a position; `None` without such an observer.
+pub fn frame(law: &dyn Law, x: DVec3, observer: Observer, axes: [DVec3; 3]) -> Option<[DVec4; 3]> {
+    let u = law.observer(observer, x)?.ok()?;
+    Some(tetrad(&law.metric(x, 0.0)?, u, axes))
 }
 
 /// Returns the uniforms for the frequency of light: components of K, which are linear in the observed direction. Under a stationary law
@@ -79,8 +85,7 @@ pub fn observer(law: &dyn Law, camera: &Camera) -> Option<Row> {
 /// Returns the components of K along the scene's three axes, and its constant part −u.
 fn axes(law: &dyn Law, camera: &Camera) -> Option<[DVec4; 4]> {
     let u = law.observer(camera.observer, camera.position)?.ok()?;
-    let metric = law.metric(camera.position, 0.0)?;
-    let [right, up, forward] = tetrad(&metric, u, camera);
+    let [right, up, forward] = frame(law, camera.position, camera.observer, [camera.right, camera.up, camera.forward])?;
     let along =
         |axis: DVec3| right * camera.right.dot(axis) + up * camera.up.dot(axis) + forward * camera.forward.dot(axis);
     Some([along(DVec3::X), along(DVec3::Y), along(DVec3::Z), -u])

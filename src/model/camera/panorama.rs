@@ -48,6 +48,13 @@ impl Projection for Panorama {
         row! { quarters: Vec2(DVec2::from(self.fov) / 180.0) }
     }
 
+    fn solid_angle(&self, [width, height]: [f64; 2], point: DVec2) -> Option<f64> {
+        let [across, upwards] = self.fov.map(f64::to_radians);
+        let half = 0.5 * upwards / height;
+        let latitude = 0.5 * upwards * point.y;
+        Some(across / width * ((latitude + half).sin() - (latitude - half).sin()))
+    }
+
     fn pixel_angle(&self, [width, height]: [f64; 2]) -> Option<f64> {
         let [across, upwards] = self.fov;
         Some((across / width).min(upwards / height).to_radians())

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use glam::DVec3;
+use glam::{DVec2, DVec3};
 
 use super::{Kind, Projection};
 use crate::document::reader::TableReader;
@@ -58,6 +58,11 @@ impl Projection for Pinhole {
 
     fn pixel_angle(&self, [_, height]: [f64; 2]) -> Option<f64> {
         Some(2.0 * (0.5 * self.fov).to_radians().tan() / height)
+    }
+
+    fn solid_angle(&self, pixels: [f64; 2], point: DVec2) -> Option<f64> {
+        let slope = point * DVec2::from(self.half_view(pixels));
+        Some(self.pixel_angle(pixels)?.powi(2) * (1.0 + slope.length_squared()).powf(-1.5))
     }
 
     fn pixel_length(&self, pixels: [f64; 2], distance: f64) -> Option<f64> {

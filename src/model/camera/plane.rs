@@ -2,6 +2,8 @@
 
 use std::sync::Arc;
 
+use glam::DVec2;
+
 use super::{Kind, Projection};
 use crate::document::keys;
 use crate::document::values::positive_length;
@@ -30,6 +32,10 @@ impl Projection for Plane {
     }
 
     fn pixel_angle(&self, _: [f64; 2]) -> Option<f64> {
+        None
+    }
+
+    fn solid_angle(&self, _: [f64; 2], _: DVec2) -> Option<f64> {
         None
     }
 

@@ -20,8 +20,9 @@ use glam::{DVec2, DVec3, DVec4};
 
 use super::sources::OWN_SPEED;
 use super::{CharacteristicSurface, Kind, Law, LawProperties, Order, UsualSteps};
+use crate::assets::Files;
 use crate::document::reader::TableReader;
-use crate::document::values::{Parsed, array, length, number, positive_length, word};
+use crate::document::values::{Parsed, array, length, number, positive_length, text, word};
 use crate::document::{Node, Value as Written, keys};
 use crate::model::{Anchor, Binding, Capture, Promise, Row, UserWgsl, Value, Wgsl, row};
 
@@ -29,7 +30,8 @@ use crate::model::{Anchor, Binding, Capture, Promise, Row, UserWgsl, Value, Wgsl
 pub static KIND: Kind = Kind {
     name: "wgsl",
     keys: keys! {
-        file: "file" = "required", "WGSL file of the law";
+        file: "file" = "none", "WGSL file of the law";
+        code: "text" = "none", "WGSL of the law, instead of a file";
         depends: "place | velocity | time | flow" = "place",
             "variables of the acceleration, which determine the functions of the file; flow for a first-order law, \
              which defines the velocity";
@@ -45,7 +47,7 @@ pub static KIND: Kind = Kind {
             ("time", Depends::Time),
             ("flow", Depends::Flow),
         ];
-        let file = table.required_node("file", "\"law.wgsl\"").and_then(|node| files.text(table.reader, node));
+        let file = source(table, files);
         let depends = table.or("depends", Depends::Place, word(depends));
         let scale = table.or("scale", 1.0, positive_length);
         let captures = captures(table);
@@ -54,6 +56,22 @@ pub static KIND: Kind = Kind {
         Some(Arc::new(CustomLaw { file, text, depends, scale, captures: captures?, parameters: parameters? }))
     },
 };
+
+/// Returns the name and the text of the law's WGSL.
+fn source(table: &TableReader, files: &mut Files) -> Option<(String, Arc<str>)> {
+    match (table.node("file"), table.node("code")) {
+        (Some(_), Some(_)) => {
+            table.fault(&["code"], "a law has either a file or code", "remove one of the two");
+            None
+        }
+        (_, Some(node)) => Some(("law.code".to_owned(), table.reader.accept(text(node))?.into())),
+        (None, None) => {
+            table.required_node("file", "\"law.wgsl\"");
+            None
+        }
+        (Some(node), None) => files.text(table.reader, node),
+    }
+}
 
 /// Reads the capture spheres; all are read before the first error returns.
 fn captures(table: &TableReader) -> Option<Vec<Capture>> {

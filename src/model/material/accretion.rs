@@ -49,6 +49,10 @@ impl Surface for Accretion {
         }
     }
 
+    fn temperature(&self) -> Option<f64> {
+        self.temperature
+    }
+
     fn values(&self) -> Row {
         row! { temperature: Float(self.temperature.unwrap_or(0.0)), brightness: Float(self.brightness) }
     }

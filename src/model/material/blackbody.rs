@@ -38,6 +38,10 @@ impl Surface for Blackbody {
         SurfaceProperties { has_temperature: true, ..SurfaceProperties::ending("surface/material/blackbody") }
     }
 
+    fn temperature(&self) -> Option<f64> {
+        Some(self.temperature)
+    }
+
     fn values(&self) -> Row {
         row! { temperature: Float(self.temperature), brightness: Float(self.brightness) }
     }

@@ -130,6 +130,11 @@ pub trait Surface: fmt::Debug + Send + Sync + DynEq {
         Row::new()
     }
 
+    /// Returns the temperature of the hottest part in kelvins, if the surface radiates as a black body.
+    fn temperature(&self) -> Option<f64> {
+        None
+    }
+
     /// Returns the mean emitted radiance; `color` is the mean of the pattern.
     fn emission(&self, _color: DVec3) -> DVec3 {
         DVec3::ZERO
