@@ -1,5 +1,8 @@
 //! `NumPy` arrays of images and rays.
 
+use bentray::chart::SceneChart;
+use bentray::glam::DMat2;
+use bentray::measure::{EndJacobian, Jacobian, OpticalPath};
 use bentray::program::{CROSSINGS, Layer};
 use bentray::render::{Band, Crossing, Crossings, Plane, Traced};
 use numpy::{PyArray1, PyArrayMethods, PyReadonlyArrayDyn, PyUntypedArrayMethods};
@@ -119,6 +122,53 @@ pub fn crossings<'py>(py: Python<'py>, rays: &[Crossings]) -> PyResult<Bound<'py
     arrays.set_item("g", number(|crossing| crossing.redshift)?)?;
     arrays.set_item("angle", number(|crossing| crossing.angle)?)?;
     Ok(arrays)
+}
+
+/// Returns a dict for each setting of each method.
+pub fn comparison<'py>(py: Python<'py>, chart: &SceneChart) -> PyResult<Bound<'py, PyList>> {
+    let all = PyList::empty(py);
+    for (curve, point) in chart.curves.iter().flat_map(|curve| curve.points.iter().map(move |point| (curve, point))) {
+        let row = PyDict::new(py);
+        row.set_item("method", curve.name)?;
+        row.set_item("words", &point.words)?;
+        for (name, value) in [
+            ("setting", point.setting),
+            ("seconds_per_ray", point.time),
+            ("evaluations_per_ray", point.evaluations),
+            ("error_median", point.found.seen.median),
+            ("error_p99", point.found.seen.p99),
+            ("image_rms", point.image),
+        ] {
+            row.set_item(name, value)?;
+        }
+        for (name, count) in [("wrong_terminations", point.found.wrong), ("unresolved", point.found.unresolved)] {
+            row.set_item(name, count)?;
+        }
+        all.append(row)?;
+    }
+    Ok(all)
+}
+
+/// Returns Jacobians as arrays of the shape (rays, 2, 2), and magnifications; NaN for a ray without one.
+pub fn jacobians<'py>(py: Python<'py>, rays: &[EndJacobian]) -> PyResult<Bound<'py, PyDict>> {
+    let matrix = |of: fn(&Jacobian) -> DMat2| {
+        let rows = |(_, found): &EndJacobian| {
+            found.as_ref().map_or([f64::NAN; 4], |jacobian| of(jacobian).transpose().to_cols_array())
+        };
+        PyArray1::from_iter(py, rays.iter().flat_map(rows)).reshape([rays.len(), 2, 2])
+    };
+    let magnification = rays.iter().map(|(_, found)| found.as_ref().map_or(f64::NAN, Jacobian::magnification));
+    let arrays = PyDict::new(py);
+    arrays.set_item("direction", matrix(|jacobian| jacobian.direction)?)?;
+    arrays.set_item("position", matrix(|jacobian| jacobian.position)?)?;
+    arrays.set_item("magnification", PyArray1::from_iter(py, magnification))?;
+    Ok(arrays)
+}
+
+/// Adds the lengths of paths to the ends of rays.
+pub fn optical_paths(py: Python, paths: &[OpticalPath], found: &Bound<PyDict>) -> PyResult<()> {
+    found.set_item("length", PyArray1::from_iter(py, paths.iter().map(|path| path.length)))?;
+    found.set_item("optical_path", PyArray1::from_iter(py, paths.iter().map(|path| path.optical)))
 }
 
 fn column<T: Send>(ends: &[Traced], of: impl Fn(&Traced) -> T + Sync + Send) -> Vec<T> {

@@ -8,6 +8,7 @@ use bentray::gpu::Gpu;
 use bentray::progress::Progress;
 use pyo3::prelude::*;
 
+use crate::display::Display;
 use crate::errors::{DeviceError, device_error};
 
 /// The time between two looks for a signal, such as Ctrl-C.
@@ -65,14 +66,16 @@ impl Device {
                     result
                 });
                 let mut interrupted = None;
+                let mut display = Display::new(self.progress);
                 while let Err(mpsc::RecvTimeoutError::Timeout) = ended.recv_timeout(LOOK) {
                     if interrupted.is_none()
-                        && let Err(signal) = Python::attach(|py| py.check_signals())
+                        && let Err(signal) = Python::attach(|py| py.check_signals()).and_then(|()| display.draw())
                     {
                         self.progress.cancel();
                         interrupted = Some(signal);
                     }
                 }
+                drop(display);
                 let result = worker.join();
                 if let Some(signal) = interrupted {
                     self.progress.resume();

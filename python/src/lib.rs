@@ -5,8 +5,10 @@
 
 mod arrays;
 mod device;
+mod display;
 mod errors;
 mod lens_map;
+mod profile;
 mod scene;
 mod state;
 mod values;

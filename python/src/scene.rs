@@ -4,20 +4,22 @@ use std::collections::BTreeMap;
 use std::path::PathBuf;
 use std::sync::{Arc, Mutex, MutexGuard};
 
-use bentray::measure::Verification;
+use bentray::chart::Sweep;
+use bentray::measure::{Candidate, Verification, all_methods, refuses_optical_paths};
 use bentray::output::{FileSettings, open as open_image};
-use bentray::program::Layer;
+use bentray::program::{Layer, Schedule};
 use bentray::render::Band;
 use bentray::scene::{Files, Override, Rays, Scene as Checked, SceneError};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use pyo3::sync::MutexExt;
-use pyo3::types::{PyBytes, PyDict, PyMapping, PyString};
+use pyo3::types::{PyBytes, PyDict, PyList, PyMapping, PyString};
 
 use crate::arrays::{self, Ends};
 use crate::device::open;
 use crate::errors::{RenderError as Failed, render_error, scene_error};
 use crate::lens_map::LensMap;
+use crate::profile::Wanted;
 use crate::state::State;
 use crate::values;
 
@@ -93,7 +95,8 @@ impl Scene {
     }
 
     /// Follows rays to their ends.
-    #[pyo3(signature = (x, v, *, paths = false, crossings = false))]
+    #[allow(clippy::too_many_arguments)] // keywords in Python
+    #[pyo3(signature = (x, v, *, paths = false, crossings = false, jacobian = false, optical_path = false))]
     fn trace<'py>(
         &self,
         py: Python<'py>,
@@ -101,6 +104,8 @@ impl Scene {
         v: &Bound<'py, PyAny>,
         paths: bool,
         crossings: bool,
+        jacobian: bool,
+        optical_path: bool,
     ) -> PyResult<Bound<'py, PyDict>> {
         let rays = arrays::rays(x, v)?;
         let device = open(self.device.as_deref())?;
@@ -116,7 +121,38 @@ impl Scene {
             let followed = device.run(py, || state.crossings(device, &rays))?.map_err(render_error)?;
             found.set_item("crossings", arrays::crossings(py, &followed)?)?;
         }
+        if jacobian {
+            let followed = device.run(py, || state.jacobians(device, &rays))?.map_err(render_error)?;
+            found.set_item("jacobian", arrays::jacobians(py, &followed)?)?;
+        }
+        if optical_path {
+            if let Some(problem) = refuses_optical_paths(&state.scene) {
+                return Err(PyValueError::new_err(problem));
+            }
+            let followed = device.run(py, || state.optical_paths(device, &rays))?.map_err(render_error)?;
+            arrays::optical_paths(py, &followed, &found)?;
+        }
         Ok(found)
+    }
+
+    /// Returns a line profile, a light curve or a spectrum of the scene's surfaces.
+    #[pyo3(signature = (kind = "line", *, emissivity = None, range = None, points = 200, objects = None))]
+    fn profile<'py>(
+        &self,
+        py: Python<'py>,
+        kind: &str,
+        emissivity: Option<&str>,
+        range: Option<[f64; 2]>,
+        points: usize,
+        objects: Option<Vec<u32>>,
+    ) -> PyResult<Bound<'py, PyDict>> {
+        let wanted = Wanted::new(kind, emissivity, range, points)?;
+        let device = open(self.device.as_deref())?;
+        let mut guard = self.state(py);
+        let state = &mut *guard;
+        wanted.check(&state.scene, objects.as_deref())?;
+        let found = device.run(py, || state.emissions(device, objects.as_deref()))?.map_err(render_error)?;
+        wanted.measure(py, &state.scene, &found)
     }
 
     /// Follows the rays of the image, and returns their ends.
@@ -160,6 +196,37 @@ impl Scene {
             errors.set_item(name, own)?;
         }
         Ok(errors)
+    }
+
+    /// Measures the time and the error of integration methods over their settings.
+    #[pyo3(signature = (methods = None, *, rays = 100_000, compared = 300, repeats = 3))]
+    fn compare<'py>(
+        &self,
+        py: Python<'py>,
+        methods: Option<Vec<String>>,
+        rays: u32,
+        compared: usize,
+        repeats: usize,
+    ) -> PyResult<Bound<'py, PyList>> {
+        if !(64..=100_000_000).contains(&rays) || !(1..=100_000).contains(&compared) || !(1..=100).contains(&repeats) {
+            let problem =
+                "`rays` must be from 64 to 100000000, `compared` from 1 to 100000, and `repeats` from 1 to 100";
+            return Err(PyValueError::new_err(problem));
+        }
+        let device = open(self.device.as_deref())?;
+        let scene = self.state(py).scene.clone();
+        if scene.camera.is_none() {
+            return Err(render_error(bentray::render::RenderError::NoCamera));
+        }
+        let known: Vec<&str> = all_methods(&scene).iter().map(|method| method.name).collect();
+        if let Some(name) = methods.iter().flatten().find(|name| !known.contains(&name.as_str())) {
+            return Err(PyValueError::new_err(format!("there is no method {name:?}; methods: {}", known.join(", "))));
+        }
+        let wanted =
+            |method: &Candidate| methods.as_ref().is_none_or(|names| names.iter().any(|name| name == method.name));
+        let sweep = Sweep { gpu: device.gpu, rays, compared, repeats, schedule: Schedule::Fused, slowest: 300.0 };
+        let chart = device.run(py, || sweep.scene("", &scene, &wanted, &|_| ()))?.map_err(render_error)?;
+        arrays::comparison(py, &chart)
     }
 
     /// Returns the image as a PNG, with the exposure and tone map of the scene.

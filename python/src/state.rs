@@ -2,7 +2,10 @@
 
 use std::sync::Arc;
 
-use bentray::measure::{Preparation, Verification, calibrate, compared_layers, verify};
+use bentray::measure::profile::{self, Emission};
+use bentray::measure::{
+    EndJacobian, OpticalPath, Preparation, Verification, calibrate, compared_layers, jacobians, optical_paths, verify,
+};
 use bentray::program::{Layer, Mode, PathEnds};
 use bentray::render::{
     Band, Crossings, LensMap, RenderError, RenderSettings, Renderer, Starts, Traced, Tracer, trace_paths,
@@ -187,6 +190,30 @@ impl State {
         let crossings = tracer.crossings();
         // Without objects there are none.
         Ok((0..rays.len()).map(|ray| crossings.get(ray).copied().unwrap_or_default()).collect())
+    }
+
+    /// Follows rays like [`follow`](Self::follow), and returns how their ends change with their starts.
+    pub fn jacobians(&mut self, device: Device, rays: &[[f64; 6]]) -> Result<Vec<EndJacobian>, RenderError> {
+        if rays.is_empty() {
+            return Ok(Vec::new());
+        }
+        let scene = self.for_rays(device, rays)?;
+        Ok(jacobians(device.gpu, &scene, &RenderSettings::default(), rays)?.0)
+    }
+
+    /// Follows rays in 64 bits, and returns the lengths of their paths.
+    pub fn optical_paths(&mut self, device: Device, rays: &[[f64; 6]]) -> Result<Vec<OpticalPath>, RenderError> {
+        if rays.is_empty() {
+            return Ok(Vec::new());
+        }
+        optical_paths(device.gpu, &self.scene, &RenderSettings::default(), rays)
+    }
+
+    /// Returns the light of each crossing of a surface in the image.
+    pub fn emissions(&mut self, device: Device, objects: Option<&[u32]>) -> Result<Vec<Emission>, RenderError> {
+        let mut scene = self.scene.clone();
+        let settings = self.settle(device, &mut scene, &[])?;
+        Ok(profile::emissions(device.gpu, &scene, &settings, objects)?.0)
     }
 
     /// Returns the scene with the method of traced rays, which is chosen for the first ones.

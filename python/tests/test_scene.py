@@ -329,3 +329,130 @@ def test_any_arguments_are_exceptions_or_right():
         # A change that was accepted may be of any kind; a refused one leaves the scene as it was.
         if rng.random() < 0.05:
             scene = bentray.Scene(BALL)
+
+
+DISK = """
+[image]
+size = [48, 36]
+[camera]
+position = [0, -30, 6]
+up = [0, 0, 1]
+observer = "static"
+[law]
+kind = "kerr-newman"
+spin = 0.5
+[rays]
+bounding_sphere = { radius = 60 }
+method = "separated"
+[materials.matter]
+kind = "accretion"
+opacity = 0.5
+temperature = 1e7
+[[objects]]
+shape = "disk"
+material = "matter"
+normal = [0, 0, 1]
+radius = 14
+inner_radius = 5
+"""
+
+
+def test_profiles_are_those_of_the_program(tmp_path):
+    (tmp_path / "scene.toml").write_text(DISK)
+    scene = bentray.Scene(DISK)
+    for kind, column, options in [
+        ("line", "g", {"emissivity": "r^-2"}),
+        ("light-curve", "t", {"emissivity": "1 + cos(phi - 0.1 * t)", "range": (0, 50)}),
+        ("spectrum", "frequency", {}),
+    ]:
+        extra = [f"--emissivity={options['emissivity']}"] if "emissivity" in options else []
+        extra += ["--range=0,50"] if "range" in options else []
+        command = [PROGRAM, "profile", "scene.toml", "--of", kind, "--points", "30", "-o", "a.npz", *extra]
+        subprocess.run(command, cwd=tmp_path, check=True)
+        expected = np.load(tmp_path / "a.npz")
+        found = scene.profile(kind, points=30, **options)
+        assert np.array_equal(found[column], expected[column]) and np.array_equal(found["flux"], expected["flux"])
+        assert np.array_equal(found["orders"][:, 1], expected["order_1"]) and found["orders"][:, 1].max() > 0
+    for arguments, problem in [
+        ({"kind": "lines"}, "there is no kind"),
+        ({"emissivity": "r^"}, "emissivity"),
+        ({"emissivity": "4 - r"}, "the emissivity is -"),
+        ({"kind": "light-curve"}, "requires a range"),
+        ({"range": (2, 1)}, "empty or impossible"),
+        ({"range": (math.nan, 1)}, "empty or impossible"),
+        ({"points": 1}, "points"),
+        ({"objects": [7]}, "there is no object 7"),
+    ]:
+        with pytest.raises(ValueError, match=problem):
+            scene.profile(**arguments)
+    with pytest.raises(ValueError, match="observer"):
+        bentray.Scene(BALL).profile()
+
+
+def test_jacobians_are_those_of_straight_rays():
+    scene = bentray.Scene({"rays": {"bounding_sphere": {"radius": 10}, "precision": "f64"}})
+    found = scene.trace([[0, 0, 0], [1, 2, 0]], [[1, 2, 3], [0.3, -1, 0]], jacobian=True)
+    assert np.allclose(found["jacobian"]["direction"], np.eye(2), atol=1e-9)
+    assert np.allclose(found["jacobian"]["magnification"], 1, atol=1e-9)
+    distance = np.linalg.norm(found["x"] - [[0, 0, 0], [1, 2, 0]], axis=1)
+    # The end is on the sphere, which is not perpendicular to a ray that misses its center.
+    assert np.allclose(found["jacobian"]["position"][0], distance[0] * np.eye(2), atol=1e-7)
+    assert scene.trace(np.zeros((0, 3)), np.zeros((0, 3)), jacobian=True)["jacobian"]["magnification"].shape == (0,)
+
+
+def test_optical_paths_are_those_of_a_fisheye():
+    eye = bentray.Scene(
+        {
+            "law": {"kind": "medium", "index": {"kind": "maxwell-fisheye", "n0": 2, "a": 1}},
+            "rays": {"bounding_sphere": {"radius": 1}, "method": "dormand-prince", "tolerance": 1e-6},
+        }
+    )
+    turns = np.array([0.3, 0.8, 1.2])
+    found = eye.trace([1 - 1e-12, 0, 0], np.stack([-np.cos(turns), np.sin(turns), 0 * turns], -1), optical_path=True)
+    assert np.allclose(found["optical_path"], math.pi, rtol=1e-8) and (found["length"] > 2).all()
+    with pytest.raises(ValueError, match="medium"):
+        bentray.Scene(HOLE).trace([10, 0, 0], [0, 1, 0], optical_path=True)
+
+
+def test_a_law_is_a_string():
+    law = """fn law_acceleration(x: Real3, held: Real) -> Real3 { return -law.k * x; }"""
+    scene = bentray.Scene(
+        {
+            "law": {"kind": "wgsl", "code": law, "parameters": {"k": 1.0}},
+            "rays": {"bounding_sphere": {"radius": 10}, "max_parameter": 1.25, "method": "rk4", "scaled_step": 0.01},
+        }
+    )
+    found = scene.trace([2.0, 0, 0], [0, 1.0, 0])
+    assert np.allclose(found["x"], [[2 * math.cos(1.25), math.sin(1.25), 0]], atol=1e-5)
+    with pytest.raises(bentray.RenderError, match="law.code"):
+        scene.set({"law.code": law.replace("* x", "* nonsense")})
+        scene.trace([2.0, 0, 0], [0, 1.0, 0])
+
+
+def test_methods_are_compared():
+    scene = bentray.Scene(DISK.replace('method = "separated"', ""))
+    rows = scene.compare(["separated"], rays=2000, compared=60, repeats=1)
+    assert len(rows) > 2 and all(row["method"] == "separated" and row["seconds_per_ray"] > 0 for row in rows)
+    assert rows[-1]["error_p99"] <= rows[0]["error_p99"]
+    with pytest.raises(ValueError, match="there is no method"):
+        scene.compare(["euler-maruyama"])
+
+
+def test_long_work_shows_its_progress(monkeypatch):
+    class Watched:
+        def __init__(self):
+            self.text = ""
+
+        def isatty(self):
+            return True
+
+        def write(self, text):
+            self.text += text
+
+        def flush(self):
+            pass
+
+    watched = Watched()
+    monkeypatch.setattr(sys, "stderr", watched)
+    bentray.Scene(BALL).render(size=(800, 600), samples=64)
+    assert "% done" in watched.text and watched.text.endswith("\r")

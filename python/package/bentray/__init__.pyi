@@ -96,8 +96,30 @@ class Scene:
         `rays` is the number of pixels. Returns the keys of `verification` in the JSON of `bentray render --verify`.
         """
 
+    def compare(
+        self,
+        methods: Optional[Sequence[str]] = None,
+        *,
+        rays: int = 100_000,
+        compared: int = 300,
+        repeats: int = 3,
+    ) -> list[dict[str, Any]]:
+        """Measure the time and the error of integration methods over their settings, like `bentray compare`.
+
+        `methods` are names of methods, all that the law has by default. `rays` are timed, and the errors of `compared` are measured.
+        Returns a dict for each setting: `method`, `words`, `setting`, `seconds_per_ray`, `evaluations_per_ray`, `error_median` and
+        `error_p99` in radians, `image_rms`, `wrong_terminations` and `unresolved`.
+        """
+
     def trace(
-        self, x: ArrayLike, v: ArrayLike, *, paths: bool = False, crossings: bool = False
+        self,
+        x: ArrayLike,
+        v: ArrayLike,
+        *,
+        paths: bool = False,
+        crossings: bool = False,
+        jacobian: bool = False,
+        optical_path: bool = False,
     ) -> dict[str, Any]:
         """Follow rays to their ends, backward in time: light arrives from the direction `v`.
 
@@ -105,7 +127,25 @@ class Scene:
         `segments`, `steps`, `rejected` and `object`, which is -1 for none. With `paths`, it also returns `paths`, a list with the
         points of each ray's path as an array of the shape (points, 3). With `crossings`, it also returns `crossings`, a dict of arrays of
         the shape (rays, 4): `object`, `x`, `tau`, `r`, `phi`, `t`, `g` and `angle` where the ray crosses translucent surfaces and where
-        it ends on a surface; NaN where there is none.
+        it ends on a surface; NaN where there is none. With `jacobian`, it also returns `jacobian`, a dict of `direction` and `position`
+        of the shape (rays, 2, 2), the derivatives of the end by the direction at the start, and `magnification`. With `optical_path`, it also returns
+        `length` and `optical_path`, the integrals of ds and n ds, in media whose index is a formula.
+        """
+
+    def profile(
+        self,
+        kind: str = "line",
+        *,
+        emissivity: Optional[str] = None,
+        range: Optional[tuple[float, float]] = None,
+        points: int = 200,
+        objects: Optional[Sequence[int]] = None,
+    ) -> dict[str, NDArray[np.float64]]:
+        """Return a line profile, a light curve or a spectrum of the surfaces that the camera sees.
+
+        `kind` is "line", "light-curve" or "spectrum", and the first array is `g`, `t` or `frequency` (in hertz). `flux` belongs to
+        each of its values, and `orders` has the shape (points, 4): the parts of the flux by the order of the image. `emissivity` is a
+        formula of `r`, `phi`, `t` and `mu`, "r^-3" by default. `objects` are the indices of the objects that emit, all by default.
         """
 
     @property
