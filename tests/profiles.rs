@@ -107,7 +107,7 @@ fn orders_dim_by_what_covers_them() {
     }
 }
 
-/// The line profile of many pixels agrees with that of few, and both with the counted pixels without widths.
+/// The line profile of many pixels agrees with that of few.
 #[test]
 fn profiles_converge() {
     let at = |size: &str| {
