@@ -59,6 +59,7 @@ mod transparency;
 mod travels;
 mod tree;
 mod vertex_colors;
+mod volumes;
 mod warp;
 mod worldlines;
 mod wormholes;

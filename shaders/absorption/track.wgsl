@@ -48,14 +48,6 @@ fn take_piece(absorption: Absorption, x: Real3, depth: vec4f) {
     pass_piece(absorption, x, depth);
 }
 
-// True if no other branch has added the emission of media on this stretch.
-var<private> glow_counts: bool;
-
-// Records whether volumetric emission counts on this path, before a surface splits the ray.
-fn note_glow() {
-    glow_counts = glow_is_new();
-}
-
 fn pass_piece(absorption: Absorption, x: Real3, depth: vec4f) {
     if !SEES_GLOW {
         scale_throughput(exp(-depth.xyz));

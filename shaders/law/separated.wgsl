@@ -157,6 +157,11 @@ fn orbit_rate(o: Orbit, y: Real4) -> Real4 {
     return Real4(-turn, -turn, o.twist - turn, u) * y;
 }
 
+// Returns the second derivatives of n and u at the orbit's own point.
+fn orbit_bend(o: Orbit) -> Real4 {
+    return orbit_rate(o, Real4(o.n, o.u));
+}
+
 // Takes a Nyström step of order 4; ψ follows by Simpson's rule.
 fn orbit_step(o: Orbit, s: Real) -> Orbit {
     let y = Real4(o.n, o.u);

@@ -25,6 +25,22 @@ fn record(own: Invocation) {
         load_region(pixel);
         let ray = load_ended(pixel);
         let seen = recorded_at(ray, load_hit(pixel));
+        if TRANSFERS {
+            load_throughput(pixel);
+            if COUNTS_TRANSFER {
+                note_glow();
+            }
+            transfer_end(pixel, ray, seen.end);
+            var behind = vec3f(0.0);
+            if ray.status == ESCAPED || ray.status == MISSED {
+                if KNOWS_SHIFT {
+                    note_frequency(pixel, ray);
+                }
+                behind = sky_radiance(vec3f(normalize(seen.end.v))) * end_throughput(seen.end.x);
+            }
+            end_transfer(pixel, behind, seen.end.x);
+            store_transfer(pixel);
+        }
         if KEEPS_CROSSINGS {
             if ray.status == HIT {
                 add_crossing(pixel, hit_surface(load_hit(pixel).primitive, seen.end.x), seen.end);

@@ -9,6 +9,9 @@ fn terminate(own: Invocation) {
     if ABSORBS {
         absorption_passed(spot, lives);
     }
+    if TRANSFERS {
+        transfer_segment(spot, lives);
+    }
     if KEEPS_LENGTH {
         if lives {
             add_segment_length(spot.pixel);

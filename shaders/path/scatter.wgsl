@@ -31,6 +31,12 @@ fn scatter_ray(ray: Ray, met: ptr<function, Hit>, pixel: vec2u) -> Ray {
     if ABSORBS {
         absorption_last(ray, end);
     }
+    if TRANSFERS {
+        if COUNTS_TRANSFER {
+            note_glow();
+        }
+        transfer_end(pixel, ray, end);
+    }
     var leg = Leg(end.x, end.v, end.tau, OFF_SURFACE, ray.status);
     if ray.status == HIT {
         leg = met_surface_leg(ray, met, end, pixel);

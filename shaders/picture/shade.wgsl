@@ -22,6 +22,12 @@ fn shade_ray(pixel: vec2u, ray: Ray, end: Hit) {
             absorption_last(ray, seen.end);
         }
     }
+    if TRANSFERS {
+        if COUNTS_TRANSFER {
+            note_glow();
+        }
+        transfer_end(pixel, ray, seen.end);
+    }
     if KEEPS_ENDS {
         if frame.sample != CORNERS {
             store_end(pixel, ray.status, end.primitive, seen.end);
@@ -46,6 +52,11 @@ fn shade_ray(pixel: vec2u, ray: Ray, end: Hit) {
         light = carried.gathered;
     } else {
         light *= end_throughput(seen.end.x);
+    }
+    if IS_SPECTRAL {
+        end_transfer(pixel, light, seen.end.x);
+        add_radiation(pixel);
+        light = shown_radiation();
     }
     add_color(pixel, light);
     if KEEPS_ORDERS {

@@ -30,6 +30,10 @@ fn note_kept(pixel: vec2u) {
         note_given(pixel);
         return;
     }
+    if IS_PARALLEL {
+        note_given(pixel);
+        return;
+    }
     let d = picture_ray(sampled_pixel(pixel)).d;
     ray_kept = Real2(frequency.energy_rest + dot(frequency.energy_along, d), frequency.turning_rest + dot(frequency.turning_along, d));
 }
@@ -40,13 +44,14 @@ fn note_frequency(pixel: vec2u, ray: Ray) {
     seen_shift = select(0.0, 1.0 / ray_kept.x, ray.status == ESCAPED || ray.status == MISSED);
 }
 
-// The frequency of a given ray is 1 for a static observer at its start, or at infinity if it comes from there.
+// The frequency of a given ray is 1 for a static observer at its start, or at infinity if it comes from there, or from a camera with
+// parallel rays.
 fn note_given(pixel: vec2u) {
     let own = picture_ray(sampled_pixel(pixel));
     let start = arrived(own);
     let momentum = law_momentum(start.x, path_velocity(law_start(start.x, start.d)[1].xyz));
     var clock: Real = 1.0;
-    if all(start.x == own.x) {
+    if all(start.x == own.x) && !IS_PARALLEL {
         clock = sqrt(max(-law_square(start.x, Real4(0.0, 0.0, 0.0, 1.0)), 0.0));
     }
     ray_kept = (clock / momentum.w) * Real2(momentum.w, dot(cross(frequency.axis, law_arm(start.x)), momentum.xyz));

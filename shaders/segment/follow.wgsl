@@ -19,7 +19,11 @@ fn follow_segment(ray: ptr<function, Ray>) -> Segment {
         let end = (*ray).phase;
         return Segment(start[0].xyz, start[1].xyz, end[0].xyz, end[1].xyz, 0.0);
     }
-    *ray = accepted_step(*ray);
+    if TRANSFERS_ORBITS {
+        *ray = lit_step(*ray);
+    } else {
+        *ray = accepted_step(*ray);
+    }
     let end = (*ray).phase;
     return Segment(start[0].xyz, path_velocity(start[1].xyz), end[0].xyz, path_velocity(end[1].xyz), (*ray).taken);
 }

@@ -13,6 +13,9 @@ fn path_start(pixel: vec2u) -> Ray {
     start_region(start.x, start.d, pixel);
     let phase = opaque_phase(law_start(start.x, start.d));
     start_throughput(phase[0].xyz);
+    if TRANSFERS {
+        start_transfer(pixel);
+    }
     if KEEPS_CROSSINGS {
         begin_crossings(pixel, phase[0].xyz, length(given.x - start.x));
     }

@@ -87,6 +87,8 @@ const LOST: u32 = 14u;
 const UNFILTERED: u32 = 15u;
 // Also only counted: a segment that needs more loop iterations than the device runs in one pass.
 const OVERRUN: u32 = 16u;
+// Also only counted: a path through matter that is negative, not a number or faster than light.
+const UNDEFINED: u32 = 17u;
 
 // Returns `true` if the path ended on a surface.
 fn ends_on_surface(code: u32) -> bool {

@@ -4,6 +4,9 @@
 // deposit it in the voxels on their way.
 
 fn follow_segments(spot: ActiveRay, ray: ptr<function, Ray>, end: ptr<function, Hit>, segments: ptr<function, u32>) {
+    if TRANSFERS {
+        begin_transfer(spot.pixel);
+    }
     while (*ray).status == ALIVE {
         var next = *ray;
         var quick: Quick;
@@ -29,6 +32,9 @@ fn follow_segments(spot: ActiveRay, ray: ptr<function, Ray>, end: ptr<function, 
             }
             if ABSORBS {
                 absorption_step(*ray, next);
+            }
+            if TRANSFERS {
+                transfer_passed(*ray, next);
             }
             if KEEPS_LENGTH {
                 add_length(spot.pixel, (*ray).phase, next.phase[0].xyz, next.phase[1].xyz);
@@ -57,6 +63,9 @@ fn follow_segments(spot: ActiveRay, ray: ptr<function, Ray>, end: ptr<function, 
             if ABSORBS {
                 absorption_step(*ray, next);
             }
+            if TRANSFERS {
+                transfer_passed(*ray, next);
+            }
             if KEEPS_LENGTH {
                 add_length(spot.pixel, (*ray).phase, next.phase[0].xyz, next.phase[1].xyz);
             }
@@ -73,6 +82,11 @@ fn follow_segments(spot: ActiveRay, ray: ptr<function, Ray>, end: ptr<function, 
             *end = Hit(Real(f32(hit.t)), hit.primitive);
         }
         rejoin();
+    }
+    if TRANSFERS {
+        if spot.valid {
+            keep_transfer(spot.pixel);
+        }
     }
     if LEAVES_LIGHT {
         if spot.valid {

@@ -4,6 +4,9 @@
 fn follow_segments(spot: ActiveRay, ray: ptr<function, Ray>, end: ptr<function, Hit>, segments: ptr<function, u32>) {
     // The state that runs on: equal to the ray as long as that is alive.
     var path = *ray;
+    if TRANSFERS {
+        begin_transfer(spot.pixel);
+    }
     while *segments < schedule.segments && spot.valid && !may_scatter((*ray).status) {
         if !has_room() {
             break;
@@ -29,6 +32,9 @@ fn follow_segments(spot: ActiveRay, ray: ptr<function, Ray>, end: ptr<function, 
                 if ABSORBS {
                     absorption_step(*ray, next);
                 }
+                if TRANSFERS {
+                    transfer_passed(*ray, next);
+                }
                 if KEEPS_LENGTH {
                     add_length(spot.pixel, (*ray).phase, next.phase[0].xyz, next.phase[1].xyz);
                 }
@@ -43,5 +49,10 @@ fn follow_segments(spot: ActiveRay, ray: ptr<function, Ray>, end: ptr<function, 
         }
         path = next;
         rejoin();
+    }
+    if TRANSFERS {
+        if spot.valid {
+            keep_transfer(spot.pixel);
+        }
     }
 }

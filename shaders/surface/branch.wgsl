@@ -100,3 +100,11 @@ fn glow_is_new() -> bool {
     }
     return ((branch_code & low_bits(MET)) >> branches_met()) == 0u;
 }
+
+// True if no other branch has added the emission on this stretch.
+var<private> glow_counts: bool;
+
+// Records whether emission along the path counts, before a surface splits the ray.
+fn note_glow() {
+    glow_counts = glow_is_new();
+}

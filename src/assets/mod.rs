@@ -14,8 +14,8 @@ mod transform;
 mod winding;
 
 pub use expression::{
-    Curve, Emissivity, FanRay, Field, Formula, FormulaError, Function, Graph, Id, Interval, LineElement, Node,
-    Spacetime, Spot, Variable,
+    Coefficients, Curve, Emissivity, FanRay, Field, Formula, FormulaError, Function, Graph, Id, Interval, LineElement,
+    Node, Spacetime, Spot, Variable, VolumeField, VolumeFormulas, VolumeTexts,
 };
 pub use files::Files;
 pub use gltf::{Gltf, NodeName, Placed, Stored as StoredPicture, image_of, json, names};

@@ -348,6 +348,14 @@ pub(super) fn warn(totals: &Totals) {
             "take shorter steps, give sources a capture radius, or correct a formula that is undefined there",
         ),
     ];
+    if totals.undefined > 0 {
+        tell!(
+            "warning: {} of {} rays passed matter that is negative, not a number or faster than light, and show nothing: check \
+             density, emission, absorption and flow of the volumes",
+            totals.undefined,
+            totals.rays
+        );
+    }
     if totals.unfiltered > 0 {
         tell!(
             "warning: absorption did not converge to absorption.tolerance, or its formula left [0, 1], on {} path \

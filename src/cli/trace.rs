@@ -25,7 +25,8 @@ use crate::output::plot::check_plot;
 use crate::output::table::Table;
 use crate::program::Layer;
 use crate::render::{
-    self, Crossing, PathPoint, RenderSettings, StartUp, Totals, Traced, Tracer, pixel_starts, trace, trace_paths,
+    self, Crossing, PathPoint, RenderSettings, StartUp, Totals, Traced, Tracer, Transferred, pixel_starts, trace,
+    trace_paths,
 };
 use crate::scene::{CutPlane, Scene};
 
@@ -67,6 +68,9 @@ pub(super) struct Arguments {
     /// Write the length ∫ ds and the optical path ∫ n ds of each ray instead of its end, in media and along straight rays
     #[arg(long, requires = "output", conflicts_with_all = ["path", "crossings", "jacobian"])]
     optical_path: bool,
+    /// Write the intensity and the optical depth of each ray at each frequency of [radiation] instead of its end
+    #[arg(long, requires = "output", conflicts_with_all = ["path", "crossings", "jacobian", "optical_path"])]
+    intensities: bool,
     /// Draw the paths in a plane, as SVG or PNG, with the surfaces that intersect it
     #[arg(long, value_name = "FILE", value_parser = paths::file())]
     plot: Option<PathBuf>,
@@ -100,6 +104,9 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Error> {
     if arguments.diagram.attractor.is_some() && scene.law.facts().ignores_direction.is_none() {
         return Err(usage!("--attractor requires a flow such as law.kind = \"lorenz\""));
     }
+    if scene.radiation.is_none() && arguments.intensities {
+        return Err(of_scene(&arguments.scene, "--intensities requires [radiation] with frequencies".to_owned()));
+    }
     if let Some(problem) = refuses_optical_paths(&scene).filter(|_| arguments.optical_path) {
         return Err(of_scene(&arguments.scene, problem));
     }
@@ -118,6 +125,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Error> {
         Some(output) if arguments.crossings => Some(Table::create::<(usize, usize, &Crossing)>(output)?),
         Some(output) if arguments.jacobian => Some(Table::create::<(usize, &Traced, Option<Jacobian>)>(output)?),
         Some(output) if arguments.optical_path => Some(Table::create::<(usize, OpticalPath)>(output)?),
+        Some(output) if arguments.intensities => Some(Table::create::<(usize, &Traced, f64, Transferred)>(output)?),
         Some(output) if arguments.path => Some(Table::create::<(usize, usize, &PathPoint)>(output)?),
         Some(output) => Some(Table::create::<(usize, &Traced)>(output)?),
         None => None,
@@ -148,7 +156,11 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Error> {
         }
         warn(&totals);
     }
-    let others = [arguments.path, arguments.crossings, arguments.jacobian, arguments.optical_path];
+    if let Some(table) = table.as_mut().filter(|_| arguments.intensities) {
+        write_intensities(&gpu, &scene, &settings, (&starts, &arguments.pixel), table)?;
+    }
+    let others =
+        [arguments.path, arguments.crossings, arguments.jacobian, arguments.optical_path, arguments.intensities];
     let ends = table.is_some() && !others.contains(&true);
     if ends || arguments.drift {
         let (traced, totals) = trace(&gpu, &scene, &settings, rays)?;
@@ -223,6 +235,35 @@ impl Starts {
 
 /// The number of pixels in a row of the list.
 const PIXELS_A_ROW: u32 = 1024;
+
+/// Writes the light of given rays and of the camera's rays, which come last.
+fn write_intensities(
+    gpu: &Gpu,
+    scene: &Scene,
+    settings: &RenderSettings,
+    (starts, pixels): (&Starts, &[[u32; 2]]),
+    table: &mut Table,
+) -> Result<(), Error> {
+    let Some(radiation) = &scene.radiation else { return Ok(()) };
+    let given = &starts.rays[..starts.rays.len() - pixels.len()];
+    let parts =
+        [(render::Starts::Given(given), given.len()), (render::Starts::Pixels(pixels, PIXELS_A_ROW), pixels.len())];
+    let mut first = 0;
+    for (part, count) in parts.into_iter().filter(|(_, count)| *count > 0) {
+        let mut tracer = Tracer::new(gpu, scene, settings.clone(), part.mode())?;
+        let (ends, totals) = tracer.follow(part)?;
+        for (ray, (end, spectrum)) in (first..).zip(ends.iter().zip(tracer.spectra())) {
+            for (k, light) in spectrum.iter().enumerate() {
+                let frequency = radiation.hertz(k).unwrap_or(radiation.frequencies[k]);
+                table.write(&(ray, end, frequency, *light))?;
+            }
+        }
+        first += count;
+        tell!("{totals}");
+        warn(&totals);
+    }
+    Ok(())
+}
 
 /// Writes the crossings of given rays and of the camera's rays, which come last.
 fn write_crossings(

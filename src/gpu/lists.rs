@@ -31,7 +31,7 @@ impl Uploads<'_> {
         let observer = scene.camera.as_ref().and_then(|camera| observer(&*scene.law, camera));
         let observer = observer.map(|row| Binding::one("observer", row));
         let seen = |camera: &Camera| frequency(&*scene.law, camera, scene.keeps_turning(camera));
-        let frequency = if self.program.features.mode.is_given() {
+        let frequency = if self.program.features.mode.is_given() || self.program.features.volumes.is_parallel {
             Some(frequency_of_given(&*scene.law, !scene.deflects()))
         } else {
             scene.camera.as_ref().and_then(seen)

@@ -5,7 +5,7 @@ use glam::DVec3;
 use super::source::Uploads;
 use super::structure::Grid;
 use crate::model::Value::{self, Uint};
-use crate::model::{Binding, Row, row};
+use crate::model::{Binding, Radiation, Row, row, volume};
 use crate::scene::{Scene, Segment, Sky, Splitting, TransparentShadows};
 
 impl Uploads<'_> {
@@ -38,6 +38,12 @@ impl Uploads<'_> {
             one("limit", row! { length: Float(rays.max_parameter.unwrap_or(f64::MAX)) }),
             one("sky", sky_row(sky)),
         ];
+        if let Some(first) = self.scene.volumes.first() {
+            all.push(one("transfer", self.transfer()));
+            let is_by_law = self.scene.places_volumes_by_law();
+            debug_assert!(first.formulas.coefficients.len() <= 3);
+            all.push(volume::regions(&self.scene.volumes, |own| if is_by_law { DVec3::ZERO } else { own.center() }));
+        }
         match rays.segment {
             Segment::Chord { steps } => all.push(one("chord", row! { steps: Uint(steps) })),
             Segment::Arc { tolerance } => {
@@ -55,6 +61,23 @@ impl Uploads<'_> {
             one("grid_space", row! { lo: Vec3(*lo), hi: Vec3(*hi), cell: Vec3(*cell), count: Uint3(*count) })
         }));
         all
+    }
+
+    /// Returns the members of `transfer`.
+    fn transfer(&self) -> Row {
+        let radiation = self.scene.radiation.as_ref();
+        let axes = self.scene.law.formula_axes();
+        row! {
+            tolerance: Float(radiation.map_or(Radiation::TOLERANCE, |radiation| radiation.tolerance)),
+            horizon: Float(self.scene.horizon().map_or(0.0, |horizon| horizon.radius)),
+            edge: Float(self.scene.volumes_reach().map_or(0.0, f64::recip)),
+            floor: Float(1e-30),
+            time: Float(self.scene.camera.as_ref().map_or(0.0, |camera| camera.time)),
+            white: Float(radiation.map_or(1.0, |radiation| radiation.white) / self.scene.intensity_unit().unwrap_or(1.0)),
+            first: Vec3(axes.x_axis),
+            second: Vec3(axes.y_axis),
+            third: Vec3(axes.z_axis),
+        }
     }
 
     /// Returns the members of `ambient`: the range of occlusion (by default the diameter of the bounding sphere), its floor and its

@@ -28,6 +28,7 @@ mod part;
 pub mod point_source;
 pub mod shape;
 mod value;
+pub mod volume;
 
 pub use absorption::Absorption;
 pub use camera::{Camera, Projection, Stereo, StereoLayout};
@@ -42,5 +43,6 @@ pub use part::{Promise, UserWgsl, Wgsl};
 pub use point_source::{Anchor, Capture, Source};
 pub use shape::{Object, RigidMotion, Shape, Substance};
 pub use value::{Binding, Row, Value};
+pub use volume::{Radiation, Volume};
 
 pub(crate) use value::{fields, row};

@@ -32,9 +32,35 @@ pub const fn channels(layer: Layer) -> &'static [&'static str] {
             &["crossing_redshift.0", "crossing_redshift.1", "crossing_redshift.2", "crossing_redshift.3"]
         }
         Layer::CrossingAngle => &["crossing_angle.0", "crossing_angle.1", "crossing_angle.2", "crossing_angle.3"],
+        Layer::Intensity(k) => FREQUENCIES[0][(k % 8) as usize],
+        Layer::OpticalDepth(k) => FREQUENCIES[1][(k % 8) as usize],
         Layer::Way => &["way.X", "way.Y", "way.Z"],
     }
 }
+
+/// The channels of layers of frequencies, by index.
+const FREQUENCIES: [[&[&str]; 8]; 2] = [
+    [
+        &["intensity.0"],
+        &["intensity.1"],
+        &["intensity.2"],
+        &["intensity.3"],
+        &["intensity.4"],
+        &["intensity.5"],
+        &["intensity.6"],
+        &["intensity.7"],
+    ],
+    [
+        &["optical_depth.0"],
+        &["optical_depth.1"],
+        &["optical_depth.2"],
+        &["optical_depth.3"],
+        &["optical_depth.4"],
+        &["optical_depth.5"],
+        &["optical_depth.6"],
+        &["optical_depth.7"],
+    ],
+];
 
 /// Returns the channels of a file in order.
 pub(super) fn channel_names(settings: &FileSettings) -> Vec<&'static str> {

@@ -11,7 +11,7 @@ use glam::DMat2;
 use super::npy::{array_file, write_archive};
 use super::{AtomicFile, OutputError, has_extension};
 use crate::measure::{Jacobian, OpticalPath};
-use crate::render::{Crossing, PathPoint, Traced};
+use crate::render::{Crossing, PathPoint, Traced, Transferred};
 
 /// A path from a light to a position, or its absence.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -115,6 +115,17 @@ impl Row for (usize, OpticalPath) {
     fn fields(&self) -> Vec<Field> {
         let (ray, OpticalPath { status, length, optical }) = *self;
         vec![index(ray), Field::Word(status.name()), Field::Number(Some(length)), Field::Number(Some(optical))]
+    }
+}
+
+/// A ray by its index in the input, its end, a frequency, and its light at that frequency.
+impl Row for (usize, &Traced, f64, Transferred) {
+    const COLUMNS: &'static [&'static str] = &["ray", "status", "frequency", "intensity", "optical_depth"];
+
+    fn fields(&self) -> Vec<Field> {
+        let (ray, end, frequency, Transferred { intensity, optical_depth }) = *self;
+        let numbers = [frequency, intensity, optical_depth].map(|value| Field::Number(Some(value)));
+        [index(ray), Field::Word(end.status.name())].into_iter().chain(numbers).collect()
     }
 }
 

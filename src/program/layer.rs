@@ -41,6 +41,10 @@ pub enum Layer {
     CrossingRedshift,
     /// The angle between light and the normal of the surface at these crossings, in radians, in the frame of the surface.
     CrossingAngle,
+    /// The intensity at a frequency of the scene, by its index.
+    Intensity(u8),
+    /// The optical depth of volumes at a frequency of the scene, by its index.
+    OpticalDepth(u8),
     /// The direction of the ray at its end, with the path length as its
     /// magnitude; used by measurements on images, and not written to files.
     Way,
@@ -95,8 +99,19 @@ impl Layer {
             Self::CrossingTime if !scene.law.facts().keeps_time => Some(
                 "the layer `crossing_time` requires a law whose τ is a time, such as law.kind = \"kerr-newman\" for any black hole",
             ),
+            Self::Intensity(k) | Self::OpticalDepth(k)
+                if scene.radiation.as_ref().is_none_or(|own| usize::from(k) >= own.frequencies.len()) =>
+            {
+                Some("the layers `intensity_K` and `optical_depth_K` require [radiation] with more than K frequencies")
+            }
             _ => None,
         }
+    }
+
+    /// Returns `true` if the layer describes light at a frequency of the scene.
+    #[must_use]
+    pub fn is_of_frequencies(self) -> bool {
+        matches!(self, Self::Intensity(_) | Self::OpticalDepth(_))
     }
 
     /// Returns `true` if the layer describes the crossings of translucent surfaces.
@@ -108,16 +123,21 @@ impl Layer {
     /// Returns `true` if the layer describes a path, and does not follow from its end.
     #[must_use]
     pub fn is_of_paths(self) -> bool {
-        matches!(self, Self::Depth | Self::Segments | Self::Steps) || self.is_of_crossings()
+        matches!(self, Self::Depth | Self::Segments | Self::Steps) || self.is_of_crossings() || self.is_of_frequencies()
     }
 
     /// Returns the type of the layer's values.
     #[must_use]
     pub fn kind(self) -> LayerKind {
         match self {
-            Self::Depth | Self::Segments | Self::Object | Self::StandardError | Self::Redshift | Self::LuminanceM2 => {
-                LayerKind::Scalar
-            }
+            Self::Depth
+            | Self::Segments
+            | Self::Object
+            | Self::StandardError
+            | Self::Redshift
+            | Self::LuminanceM2
+            | Self::Intensity(_)
+            | Self::OpticalDepth(_) => LayerKind::Scalar,
             Self::Position | Self::Normal | Self::Way | Self::Accumulated | Self::ImageOrder => LayerKind::Vector,
             Self::CrossingRadius
             | Self::CrossingAzimuth
@@ -129,7 +149,7 @@ impl Layer {
     }
 
     /// Every layer that files can store.
-    pub const ALL: [Self; 18] = [
+    pub const ALL: [Self; 34] = [
         Self::Depth,
         Self::Segments,
         Self::Position,
@@ -148,12 +168,29 @@ impl Layer {
         Self::CrossingTime,
         Self::CrossingRedshift,
         Self::CrossingAngle,
+        Self::Intensity(0),
+        Self::Intensity(1),
+        Self::Intensity(2),
+        Self::Intensity(3),
+        Self::Intensity(4),
+        Self::Intensity(5),
+        Self::Intensity(6),
+        Self::Intensity(7),
+        Self::OpticalDepth(0),
+        Self::OpticalDepth(1),
+        Self::OpticalDepth(2),
+        Self::OpticalDepth(3),
+        Self::OpticalDepth(4),
+        Self::OpticalDepth(5),
+        Self::OpticalDepth(6),
+        Self::OpticalDepth(7),
     ];
 
     /// Returns `true` if the layer describes a pixel's first ray. Other layers describe all rays of a pixel.
     #[must_use]
     pub fn is_of_a_ray(self) -> bool {
         !matches!(self, Self::Samples | Self::StandardError | Self::Accumulated | Self::LuminanceM2 | Self::ImageOrder)
+            && !self.is_of_frequencies()
     }
 
     /// Returns the name. For the layer of a ray's end, `keep_NAME` is the function
@@ -179,6 +216,26 @@ impl Layer {
             Self::CrossingTime => "crossing_time",
             Self::CrossingRedshift => "crossing_redshift",
             Self::CrossingAngle => "crossing_angle",
+            Self::Intensity(k) => [
+                "intensity_0",
+                "intensity_1",
+                "intensity_2",
+                "intensity_3",
+                "intensity_4",
+                "intensity_5",
+                "intensity_6",
+                "intensity_7",
+            ][usize::from(k % 8)],
+            Self::OpticalDepth(k) => [
+                "optical_depth_0",
+                "optical_depth_1",
+                "optical_depth_2",
+                "optical_depth_3",
+                "optical_depth_4",
+                "optical_depth_5",
+                "optical_depth_6",
+                "optical_depth_7",
+            ][usize::from(k % 8)],
             Self::Way => "way",
         }
     }
@@ -209,6 +266,10 @@ impl Layer {
             Self::CrossingTime => "Travel time t of light from these crossings, in scene units",
             Self::CrossingRedshift => "Redshift factor g of light from these crossings",
             Self::CrossingAngle => "Angle between light and the surface normal at these crossings, in radians",
+            Self::Intensity(_) => {
+                "Intensity at the frequency of this index: in erg/(cm² s Hz sr) with radiation.emission and [units], otherwise in emission times scene units"
+            }
+            Self::OpticalDepth(_) => "Optical depth of volumes at the frequency of this index",
             Self::Way => "Direction of the ray at its end",
         }
     }

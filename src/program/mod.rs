@@ -51,6 +51,7 @@ mod unit;
 mod unroll;
 mod user_wgsl;
 mod validate;
+mod volumes;
 
 pub use analysis::Analysis;
 pub use error::ProgramError;

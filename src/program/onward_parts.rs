@@ -107,6 +107,7 @@ fn sent_parts(scene: &Scene, features: &Features, names: &mut Names) {
 fn plain_throughput(features: &Features) -> &'static str {
     match features.mode {
         Mode::Light | Mode::Caustics => "surface/throughput/single",
+        _ if features.volumes.is_spectral && features.volumes.counts_transfer => "surface/throughput/single",
         Mode::Picture if features.sees_glow => "path/carried",
         Mode::Picture if features.absorbs => "surface/throughput/colored",
         _ => "surface/throughput/none",

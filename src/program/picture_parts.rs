@@ -45,17 +45,11 @@ pub(super) fn picture_parts(scene: &Scene, features: &Features, names: &mut Name
     names.when(features.keeps_crossings, &["segment/crossings"]);
     names.when(features.is_picture() || features.knows_shift, &[shift_part(features)]);
     names.when(features.knows_shift, scene.law.facts().momentum_parts);
+    if features.is_picture() || features.volumes.is_spectral {
+        sky_parts(scene, names)?;
+    }
     if !features.is_picture() {
         return Ok(());
-    }
-    match &scene.sky_other_side {
-        Some(beyond) => {
-            names.add("picture/sky/both");
-            for unit in two_skies(scene.sky.part(), beyond.part())? {
-                names.make(unit);
-            }
-        }
-        None => names.add(scene.sky.part()),
     }
     names.when(features.keeps_orders, &["picture/orders_kept"]);
     names.when(features.layers.contains(&Layer::Depth), &["picture/path_length"]);
@@ -65,6 +59,20 @@ pub(super) fn picture_parts(scene: &Scene, features: &Features, names: &mut Name
         .filter(|layer| layer.is_of_a_ray() && !layer.is_of_crossings())
         .map(|layer| layer.name());
     names.make(generated::layers(&layers.collect::<Vec<_>>()));
+    Ok(())
+}
+
+/// Adds the modules for the light of the sky.
+fn sky_parts(scene: &Scene, names: &mut Names) -> Result<(), ProgramError> {
+    match &scene.sky_other_side {
+        Some(beyond) => {
+            names.add("picture/sky/both");
+            for unit in two_skies(scene.sky.part(), beyond.part())? {
+                names.make(unit);
+            }
+        }
+        None => names.add(scene.sky.part()),
+    }
     Ok(())
 }
 

@@ -8,6 +8,7 @@ use super::region_parts::region_parts;
 use super::regions::RegionKind;
 use super::structure::solids;
 use super::unit::Parts;
+use super::volumes::volume_parts;
 use super::{Analysis, Features, PathEnds, ProgramError, RaySkipping, generated, short_lists};
 use crate::model::point_source::ANCHORS;
 use crate::scene::{Precision, Scene, Segment};
@@ -100,6 +101,7 @@ pub fn plan(scene: &Scene, analysis: &Analysis, features: &Features) -> Result<P
     let wavelength = if features.draws_wavelength { "path/spectrum" } else { "medium/wavelength" };
     names.when(features.disperses, &[wavelength]);
     absorption_modules(scene, features, &mut names);
+    volume_parts(scene, features, &mut names);
     let of_kind = |kind: &RegionKind| region_parts(scene, features, regions, kind);
     Ok(Parts {
         shared: names.units()?,

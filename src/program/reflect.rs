@@ -257,7 +257,9 @@ fn field(module: &Module, member: &naga::StructMember) -> Option<Field> {
         TypeInner::Array { base, size: ArraySize::Constant(count), .. } => match module.types[base].inner {
             TypeInner::Scalar(scalar) | TypeInner::Atomic(scalar) => (scalar, count.get()),
             // Without padding between elements.
-            TypeInner::Vector { size: VectorSize::Quad, scalar } => (scalar, 4 * count.get()),
+            TypeInner::Vector { size: size @ (VectorSize::Bi | VectorSize::Quad), scalar } => {
+                (scalar, u32::from(u8::from(size)) * count.get())
+            }
             _ => return None,
         },
         _ => return None,

@@ -106,7 +106,10 @@ fn law_motion(scene: &Scene, features: &Features, names: &mut Names) -> Result<(
 fn orbit_parts(features: &Features, names: &mut Names) {
     match (features.needs_arcs, features.ends_with_steps) {
         (true, _) => names.add("motion/orbit_arcs"),
-        (false, true) => names.add("motion/separated_open"),
+        (false, true) => {
+            names.add("motion/separated_open");
+            names.when(features.volumes.transfers_orbits, &["motion/separated_lit"]);
+        }
         (false, false) => names.all(&["motion/orbit_open", "motion/edge"]),
     }
 }

@@ -40,15 +40,16 @@ const OTHERS: [&str; 15] = [
      law.kind = 'reissner-nordstrom'
      objects = [{ shape = 'sphere', center = [4, 0, 0], material = 'm' }]
      rays.method = 'bogacki-shampine'",
-    "camera.observer = 'static'
-     camera.redshift = true
-     law.kind = 'wormhole'
-     law.other_mouth = [200, 0, 0]",
     "law.kind = 'reissner-nordstrom'
      rays.method = 'planar'",
     "law.kind = 'kerr-newman'
      law.spin = 0.5
      rays.method = 'separated'",
+    "camera.observer = 'static'
+     law.kind = 'kerr-newman'
+     radiation.frequencies = [1]
+     rays.method = 'separated'
+     volumes = [{ shape = 'sphere', emission = 1 }]",
     "law.kind = 'lorenz'
      law.order = 2
      rays.method = 'leapfrog'

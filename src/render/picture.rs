@@ -162,6 +162,9 @@ impl Renderer<'_> {
             let noise = totals.noise.as_mut().filter(|_| round.is_last);
             let values = self.read_values(made)?;
             values.put(left, round, &mut band, noise);
+            if let Some(radiation) = &self.prepared.scene.radiation {
+                values.add_radiation(round, radiation.frequencies.len(), &mut totals.radiation);
+            }
             if let Some(clamped) = &mut totals.clamped {
                 values.add_clamped(round, clamped);
             }

@@ -4,8 +4,8 @@ use std::fmt;
 use std::sync::LazyLock;
 use std::time::Duration;
 
-use super::Noise;
 use super::records::Row;
+use super::{FrequencyTotals, Noise};
 use crate::program::constant;
 
 /// The termination status of a ray.
@@ -145,6 +145,10 @@ pub struct Totals {
     pub adaptive: Option<Adaptive>,
     /// The number of path segments on which the absorption did not reach its tolerance, or was not valid.
     pub unfiltered: u64,
+    /// The light at each frequency, in images of scenes with `[radiation]`.
+    pub radiation: Vec<FrequencyTotals>,
+    /// The number of rays through matter that is negative, not a number, or faster than light; they show no light.
+    pub undefined: u64,
     /// The number of segments that need more loop iterations than the device runs in one pass; their rays failed.
     pub overrun: u64,
     /// The noise of the image, if it consists of random paths.
@@ -216,7 +220,8 @@ impl Totals {
 
     /// Returns the numbers of rays in a tally, by the code of their status.
     fn ends(tally: &Row) -> impl Iterator<Item = (u32, u64)> {
-        let others = ["UNLIT", "LOST", "UNFILTERED", "OVERRUN"].map(|name| constant("segment/ray", name) as u32);
+        let others =
+            ["UNLIT", "LOST", "UNFILTERED", "OVERRUN", "UNDEFINED"].map(|name| constant("segment/ray", name) as u32);
         let codes = 0..constant("state/tally", "STATUSES") as u32;
         codes
             .filter(move |code| !others.contains(code))
@@ -237,7 +242,10 @@ impl Totals {
         self.unlit += other.unlit;
         self.lost += other.lost;
         self.unfiltered += other.unfiltered;
+        self.undefined += other.undefined;
         self.overrun += other.overrun;
+        self.radiation.resize(self.radiation.len().max(other.radiation.len()), FrequencyTotals::default());
+        self.radiation.iter_mut().zip(&other.radiation).for_each(|(own, other)| own.merge(other));
         self.wall += other.wall;
         let device = |times: [Duration; 5]| self.device.map_or(times, |own| std::array::from_fn(|k| own[k] + times[k]));
         self.device = other.device.map(device);
@@ -257,6 +265,7 @@ impl Totals {
         self.unlit += counted(tally, "UNLIT");
         self.lost += counted(tally, "LOST");
         self.unfiltered += counted(tally, "UNFILTERED");
+        self.undefined += counted(tally, "UNDEFINED");
         self.overrun += counted(tally, "OVERRUN");
         for (code, n) in Self::ends(tally) {
             self.rays += n;
@@ -285,6 +294,9 @@ impl fmt::Display for Totals {
         }
         if self.unlit > 0 {
             write!(f, "; no light path found for {} points", self.unlit)?;
+        }
+        if self.undefined > 0 {
+            write!(f, "; matter not defined on {} rays", self.undefined)?;
         }
         if self.unfiltered > 0 {
             write!(f, "; absorption not converged on {} path segments", self.unfiltered)?;

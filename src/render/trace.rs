@@ -2,15 +2,18 @@
 
 use std::borrow::Cow;
 
+use rayon::prelude::*;
+
 use super::crossings::{Crossings, crossings};
 use super::grids::LightGrids;
 use super::prepared::Prepared;
 use super::ray_tiles::{BATCH, ROW, captured_at, is_swallowed, pixel_tile, ray_tile, read_records};
-use super::records::Records;
+use super::records::{Records, Row};
 use super::tile::TileEnd;
 use super::{RenderError, RenderSettings, Status, Totals, Traced};
 use crate::gpu::{Gpu, GpuError, Tile};
 use crate::model::Control;
+use crate::model::volume::MOST_FREQUENCIES;
 use crate::program::{Mode, Role};
 use crate::scene::Scene;
 
@@ -109,6 +112,16 @@ pub struct Tracer<'a> {
     /// The tile of the previous rays, for the next ones.
     tile: Option<Tile>,
     crossings: Vec<Crossings>,
+    spectra: Vec<Vec<Transferred>>,
+}
+
+/// The light of a ray at one frequency.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Transferred {
+    /// The intensity at the start of the ray, in the units of the layer `intensity_K`.
+    pub intensity: f64,
+    /// The optical depth of volumes on the path.
+    pub optical_depth: f64,
 }
 
 impl<'a> Tracer<'a> {
@@ -150,7 +163,7 @@ impl<'a> Tracer<'a> {
         settings.options.mode = mode;
         settings.options.layers.retain(|layer| layer.is_of_crossings());
         let prepared = Prepared::new(gpu, scene, settings, LightGrids::default())?;
-        Ok(Self { prepared, tile: None, crossings: Vec::new() })
+        Ok(Self { prepared, tile: None, crossings: Vec::new(), spectra: Vec::new() })
     }
 
     /// Changes the parameters of the step control and the maximum number of segments of a path. The kind of control stays, and no pass is
@@ -172,6 +185,7 @@ impl<'a> Tracer<'a> {
     pub fn follow(&mut self, starts: Starts) -> Result<(Vec<Traced>, Totals), RenderError> {
         let prepared = &mut self.prepared;
         self.crossings.clear();
+        self.spectra.clear();
         let mut totals = Totals::default();
         let mut clock = super::clock::Clock::new(prepared.gpu, true);
         let started = std::time::Instant::now();
@@ -194,6 +208,10 @@ impl<'a> Tracer<'a> {
                 let pixels = Records::read(prepared.gpu, &prepared.program, &tile, &Role::Pixels)?;
                 self.crossings.extend(crossings(&pixels, &prepared.scene).into_iter().take(part.len()));
             }
+            if prepared.program.features.volumes.is_spectral {
+                let pixels = Records::read(prepared.gpu, &prepared.program, &tile, &Role::Pixels)?;
+                self.spectra.extend(spectra(&pixels, &prepared.scene).into_iter().take(part.len()));
+            }
             let law = prepared.scene.law.facts();
             if let Starts::Given(rays) = starts
                 && law.swallows.is_some()
@@ -210,12 +228,32 @@ impl<'a> Tracer<'a> {
         Ok((traced, totals))
     }
 
+    /// Returns the light of the rays of the last call of [`follow`](Self::follow) at each frequency of the scene, in the same order; empty
+    /// without `[radiation]`. The frequencies are those of a static observer at the start of a given ray, or of the camera.
+    #[must_use]
+    pub fn spectra(&self) -> &[Vec<Transferred>] {
+        &self.spectra
+    }
+
     /// Returns where the rays of the last call of [`follow`](Self::follow) crossed translucent surfaces and ended on surfaces, in the same
     /// order; empty unless the layers of the settings include one of crossings, which selects all their values.
     #[must_use]
     pub fn crossings(&self) -> &[Crossings] {
         &self.crossings
     }
+}
+
+/// Returns the light of the rays of a tile at each frequency.
+fn spectra(pixels: &Records, scene: &Scene) -> Vec<Vec<Transferred>> {
+    let (field, unit) = (pixels.field("transfer"), scene.intensity_unit().unwrap_or(1.0));
+    let frequencies = scene.radiation.as_ref().map_or(0, |radiation| radiation.frequencies.len());
+    let of = |row: Row| {
+        let numbers = row.numbers::<{ 2 * MOST_FREQUENCIES }>(field);
+        let (pairs, _) = numbers.as_chunks();
+        let pairs = pairs[..frequencies].iter();
+        pairs.map(|&[light, optical_depth]| Transferred { intensity: unit * light, optical_depth }).collect()
+    };
+    pixels.par_rows().map(of).collect()
 }
 
 fn count_by_status(traced: &[Traced]) -> Vec<(Status, u64)> {

@@ -6,7 +6,7 @@ use super::crossings::{Crossings, crossings};
 use super::noise::luminance;
 use super::records::Records;
 use super::watch::Round;
-use super::{Clamped, Noise, RenderError, Renderer};
+use super::{Clamped, FrequencyTotals, Noise, RenderError, Renderer};
 use crate::gpu::Tile;
 use crate::program::{Layer, Role};
 
@@ -15,6 +15,8 @@ pub(super) struct Values<'r> {
     pixels: Records<'r>,
     moments: Option<Vec<Moments>>,
     crossings: Vec<Crossings>,
+    /// The intensity 1, in the units of layers.
+    intensity: f64,
     size: [u32; 2],
     margin: u32,
 }
@@ -26,7 +28,9 @@ impl Renderer<'_> {
         let [pixels, moments] = Records::read_all(self.prepared.gpu, &self.prepared.program, tile, roles)?;
         let features = &self.prepared.program.features;
         let crossings = if features.keeps_crossings { crossings(&pixels, &self.prepared.scene) } else { Vec::new() };
-        Ok(Values { pixels, moments: Moments::of(&moments), crossings, size: tile.size, margin: features.margin() })
+        let (size, margin, intensity) =
+            (tile.size, features.margin(), self.prepared.scene.intensity_unit().unwrap_or(1.0));
+        Ok(Values { pixels, moments: Moments::of(&moments), crossings, intensity, size, margin })
     }
 }
 
@@ -102,11 +106,36 @@ impl Values<'_> {
                 let (sums, weight) = (self.pixels.column("orders")?, 1.0 / samples as f32);
                 Some(Box::new(move |pixel, k| (f32::from_bits(sums(pixel, k)) * weight).to_bits()))
             }
+            (Layer::Intensity(k) | Layer::OpticalDepth(k), _) => {
+                let is_light = matches!(layer, Layer::Intensity(_));
+                let sums = self.pixels.column(if is_light { "intensity" } else { "optical_depth" })?;
+                let weight = if is_light { self.intensity as f32 } else { 1.0 } / samples as f32;
+                Some(Box::new(move |pixel, _| (f32::from_bits(sums(pixel, usize::from(k))) * weight).to_bits()))
+            }
             (layer, _) if layer.is_of_crossings() => Some(Box::new(move |pixel, k| {
                 let crossing = self.crossings.get(pixel).and_then(|crossings| crossings[k]);
                 (crossing.map_or(0.0, |crossing| crossing.value(layer)) as f32).to_bits()
             })),
             (layer, _) => column(&format!("layer_{}", layer.name())),
+        }
+    }
+
+    /// Adds the light of the tile's pixels after the last round at each of `count` frequencies.
+    pub(super) fn add_radiation(&self, round: &Round, count: usize, sums: &mut Vec<FrequencyTotals>) {
+        let (light, depth) = (self.pixels.column("intensity"), self.pixels.column("optical_depth"));
+        let (Some(light), Some(depth)) = (light, depth) else { return };
+        if !round.is_last {
+            return;
+        }
+        sums.resize(count, FrequencyTotals::default());
+        let weight = 1.0 / f64::from(round.until);
+        let number = |bits: u32| f64::from(f32::from_bits(bits)) * weight;
+        let own = self.size.map(|side| (side - self.margin) as usize);
+        for (k, sum) in sums.iter_mut().enumerate() {
+            for pixel in (0..own[1]).flat_map(|y| (0..own[0]).map(move |x| (y, x))) {
+                let pixel = pixel.0 * self.size[0] as usize + pixel.1;
+                sum.add(self.intensity * number(light(pixel, k)), number(depth(pixel, k)));
+            }
         }
     }
 

@@ -57,6 +57,8 @@ impl Scene {
             materials,
             objects,
             lights: Vec::new(),
+            volumes: Vec::new(),
+            radiation: None,
             occlusion: None,
             animation: None,
             pictures: Vec::new(),

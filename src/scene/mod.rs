@@ -37,8 +37,8 @@ pub use crate::document::{ARCSECOND, Diagnostic, KeyReference, Override, SceneEr
 pub use crate::model::absorption::{Density, NoiseColoring, Texture};
 pub use crate::model::cross_section::{CORNERS, CutPlane, Outline};
 pub use crate::model::{
-    Absorption, Camera, Control, Gloss, Interior, Law, Material, Medium, Method, Object, Observer, Pattern,
-    RigidMotion, Shape, Stereo, StereoLayout, Substance, Surface,
+    Absorption, Camera, Control, Gloss, Interior, Law, Material, Medium, Method, Object, Observer, Pattern, Radiation,
+    RigidMotion, Shape, Stereo, StereoLayout, Substance, Surface, Volume,
 };
 pub use emitters::Emitter;
 pub use followed::{follow_as, followed_keys};
@@ -57,6 +57,9 @@ use glam::DVec3;
 use crate::model::Capture;
 use crate::model::method::Demands;
 use optics::Optics;
+
+/// The height above a horizon at which rays through volumes end, as a fraction of its radius.
+const ABOVE_HORIZON: f64 = 0.00125;
 
 /// A whole scene: the complete and consistent values of one TOML file.
 #[derive(Debug, Clone)]
@@ -85,6 +88,10 @@ pub struct Scene {
     pub objects: Vec<Object>,
     /// The lights in the order of the file.
     pub lights: Vec<Light>,
+    /// The volumes in the order of the file.
+    pub volumes: Vec<Volume>,
+    /// The frequencies of light; `None` if light has colors.
+    pub radiation: Option<Radiation>,
     /// The ambient occlusion, if the scene uses it.
     pub occlusion: Option<Occlusion>,
     /// The animation, if the scene has one.
@@ -146,6 +153,7 @@ impl Scene {
     pub fn has_frequencies_of(&self, is_given: bool) -> bool {
         let knows = |camera: &Camera| camera.observer != Observer::Coordinate && camera.is_at_one_place();
         let is_seen = is_given || self.camera.as_ref().is_some_and(knows);
+        let is_seen = is_seen || self.radiation.is_some() && self.camera.as_ref().is_some_and(Camera::is_parallel);
         is_seen && !self.law.facts().momentum_parts.is_empty() && self.rays.path_tracing.is_none()
     }
 
@@ -180,6 +188,30 @@ impl Scene {
         })
     }
 
+    /// Returns `true` if formulas of volumes use the coordinates of the law, which has a center, instead of those around their centers.
+    #[must_use]
+    pub fn places_volumes_by_law(&self) -> bool {
+        let has_center = self.law.equator().is_some() || self.law.facts().throat.is_some();
+        has_center && !self.law.facts().momentum_parts.is_empty()
+    }
+
+    /// Returns the distance from the law's center within which there are volumes; `None` if they are everywhere.
+    #[must_use]
+    pub fn volumes_reach(&self) -> Option<f64> {
+        let center = self.law.equator().map_or(DVec3::ZERO, |[center, _]| center);
+        let reach = |volume: &Volume| {
+            let [lo, hi] = volume.bounds()?;
+            Some((hi - center).abs().max((lo - center).abs()).length())
+        };
+        self.volumes.iter().try_fold(0.0, |all: f64, volume| Some(all.max(reach(volume)?)))
+    }
+
+    /// Returns the intensity 1 in erg/(cm² s Hz sr), if the scene has units for it.
+    #[must_use]
+    pub fn intensity_unit(&self) -> Option<f64> {
+        self.radiation.as_ref()?.unit(self.units?.length?)
+    }
+
     /// Returns every medium, of space and of objects.
     pub fn media(&self) -> impl Iterator<Item = &dyn Medium> {
         let interiors = self.objects.iter().filter_map(|object| Some(&object.interior()?.medium));
@@ -208,7 +240,23 @@ impl Scene {
     #[must_use]
     pub fn captures(&self, clearance: Option<&dyn Fn(DVec3) -> f64>) -> Vec<Capture> {
         let interiors = self.objects.iter().filter_map(|object| object.interior()?.medium.facts().capture);
-        self.law.captures(clearance).into_iter().chain(interiors).collect()
+        let law = match self.horizon().filter(|_| !self.volumes.is_empty()) {
+            // Matter shines down to the horizon.
+            Some(horizon) => {
+                let is_double = self.rays.precision == Precision::Double;
+                let above = ABOVE_HORIZON * if is_double { 0.01 } else { 1.0 };
+                vec![Capture { radius: (1.0 + above) * horizon.radius, ..horizon }]
+            }
+            None => self.law.captures(clearance),
+        };
+        law.into_iter().chain(interiors).collect()
+    }
+
+    /// Returns the horizon of the law, if it is known.
+    #[must_use]
+    pub fn horizon(&self) -> Option<Capture> {
+        let facts = self.law.facts();
+        facts.below.map(|(_, horizon)| horizon).or(facts.swallows)
     }
 
     /// Returns `true` if the paths of a medium have a closed form, so that integration is optional.
@@ -257,6 +305,7 @@ impl Scene {
     pub fn is_lit_as(&self, other: &Self) -> bool {
         *self.law == *other.law
             && self.absorption == other.absorption
+            && self.volumes == other.volumes
             && self.rays == other.rays
             && self.materials == other.materials
             && self.objects == other.objects

@@ -31,6 +31,7 @@ impl Scene {
                 self.absorptions().any(|filter| filter.emission != DVec3::ZERO),
                 "a lens map has only the ends of rays, and no media that emit light along them",
             ),
+            (!self.volumes.is_empty(), "a lens map has only the ends of rays, and no volumes along them"),
             (
                 self.has_shadows(Shadows::Shooting) || along_law,
                 "a lens map cannot be combined with shadows or ambient occlusion along the law, which need other rays",

@@ -111,7 +111,8 @@ pub fn scenes_in(folder: &str) -> Vec<std::path::PathBuf> {
 
 /// Returns every scene file below `scenes/`.
 pub fn all_scenes() -> Vec<std::path::PathBuf> {
-    let folders = ["", "/bench", "/groller", "/laws", "/light", "/paths", "/spacetimes", "/stability", "/thesis"];
+    let folders =
+        ["", "/bench", "/groller", "/laws", "/light", "/paths", "/spacetimes", "/stability", "/thesis", "/volumes"];
     folders.iter().flat_map(|folder| scenes_in(&format!("scenes{folder}"))).collect()
 }
 

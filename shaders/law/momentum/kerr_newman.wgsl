@@ -19,3 +19,64 @@ fn law_square(x: Real3, k: Real4) -> Real {
     let along = dot(g.l, k.xyz) + k.w;
     return dot(k.xyz, k.xyz) - k.w * k.w + g.f * along * along;
 }
+
+// Returns the radius r of a position relative to the center.
+fn law_radius(arm: Real3) -> Real {
+    return spheroid_of(arm, law.spin).x;
+}
+
+// Returns the gradient of that radius.
+fn law_rise(arm: Real3) -> Real3 {
+    let spheroid = spheroid_of(arm, law.spin);
+    return (spheroid.x * arm + (spheroid.z / spheroid.x) * law.spin) / (2.0 * spheroid.y);
+}
+
+// Returns the distance from the axis at radius r on the equator.
+fn law_axial(r: Real) -> Real {
+    return sqrt(r * r + dot(law.spin, law.spin));
+}
+
+// Returns the four-velocity of the Eulerian observer.
+fn law_eulerian(x: Real3) -> Real4 {
+    let g = kerr_schild(x - law.center);
+    let lapse = inverseSqrt(1.0 + g.f);
+    return Real4((-g.f * lapse) * g.l, 1.0 / lapse);
+}
+
+// Returns the metric along ∂t and ∂φ, whose determinant is −Δ sin²θ.
+fn law_turning(spot: Spot) -> Turning {
+    let a2 = dot(law.spin, law.spin);
+    let r = spot.r;
+    let r2 = r * r;
+    let sine2 = spot.sine * spot.sine;
+    let sigma = r2 + a2 * spot.cosine * spot.cosine;
+    let pull = (2.0 * law.mass * r - law.charge_squared) / sigma;
+    let a = dot(law.spin, frequency.axis);
+    let root = sqrt(max(law.mass * law.mass - a2 - law.charge_squared, 0.0));
+    let away = r - law.mass;
+    let delta = select(away * away - (law.mass * law.mass - a2 - law.charge_squared), (away - root) * (away + root), root > 0.0);
+    return Turning(pull - 1.0, -a * pull * sine2, sine2 * (r2 + a2 + a2 * pull * sine2), -delta * sine2);
+}
+
+// Returns dφ/dt of the circular orbit at a distance from the axis, with φ (1) or against it (−1).
+fn law_orbiting(r: Real, sense: Real) -> Real {
+    let speed = sqrt(max(law.mass * r - law.charge_squared, 0.0));
+    return sense * speed / (r * r + sense * dot(law.spin, frequency.axis) * speed);
+}
+
+// Returns the four-velocity of free fall from rest at infinity without angular momentum.
+fn law_infalling(x: Real3) -> Real4 {
+    let arm = x - law.center;
+    let a2 = dot(law.spin, law.spin);
+    let spheroid = spheroid_of(arm, law.spin);
+    let r = spheroid.x;
+    let s = r * r + a2;
+    let n = 2.0 * law.mass * r - law.charge_squared;
+    let cosine = spheroid.z / r;
+    let sigma = 2.0 * spheroid.y;
+    let root = sqrt(s);
+    let pull = sqrt(select(not_a_number(), n, n >= 0.0));
+    let time = root * (s + root * pull + n) / (root + pull) - (a2 - cosine * cosine);
+    let velocity = (-root * pull) * kerr_schild(arm).l - (pull / (root + pull)) * cross(law.spin, arm);
+    return Real4(velocity, time) / sigma;
+}

@@ -27,3 +27,35 @@ fn law_momentum_at(x: Real3, v: Real3, tau: Real) -> Real4 {
 fn law_square_at(x: Real3, k: Real4, tau: Real) -> Real {
     return metric_square(metric_at(metric_place(x), law.time - tau), k);
 }
+
+// Returns the radius r of a position relative to the center.
+fn law_radius(arm: Real3) -> Real {
+    return length(arm);
+}
+
+// Returns the gradient of that radius.
+fn law_rise(arm: Real3) -> Real3 {
+    return normalize(arm);
+}
+
+// Returns the distance from the axis at radius r on the equator.
+fn law_axial(r: Real) -> Real {
+    return r;
+}
+
+// Returns the four-velocity of the Eulerian observer.
+fn law_eulerian(x: Real3) -> Real4 {
+    let m = metric_at(metric_place(x), law.time);
+    let shift = metric_raised(metric_factor(m), m.shift);
+    let lapse = possible(dot(m.shift, shift) - m.clock);
+    return Real4(-lapse * shift, lapse);
+}
+
+// Returns the metric along ∂t and ∂φ.
+fn law_turning(spot: Spot) -> Turning {
+    let around = Real4(cross(frequency.axis, law_arm(spot.x)), 0.0);
+    let m = metric_at(metric_place(spot.x), law.time);
+    let mixed = dot(around.xyz, m.shift);
+    let own = metric_square(m, around);
+    return Turning(m.clock, mixed, own, m.clock * own - mixed * mixed);
+}

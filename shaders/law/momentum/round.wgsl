@@ -23,3 +23,38 @@ fn law_square(x: Real3, k: Real4) -> Real {
     let across = k.xyz - radial * n;
     return radial * radial / clock + dot(across, across) - clock * k.w * k.w;
 }
+
+// Returns the radius r of a position relative to the center.
+fn law_radius(arm: Real3) -> Real {
+    return length(arm);
+}
+
+// Returns the gradient of that radius.
+fn law_rise(arm: Real3) -> Real3 {
+    return normalize(arm);
+}
+
+// Returns the distance from the axis at radius r on the equator.
+fn law_axial(r: Real) -> Real {
+    return r;
+}
+
+// Returns the four-velocity of the Eulerian observer, who is static.
+fn law_eulerian(x: Real3) -> Real4 {
+    return Real4(0.0, 0.0, 0.0, possible(law_clock(x)));
+}
+
+// Returns the metric along ∂t and ∂φ.
+fn law_turning(spot: Spot) -> Turning {
+    let around = spot.r * spot.sine;
+    let own = around * around;
+    let clock = law_clock(spot.x);
+    return Turning(-clock, 0.0, own, -clock * own);
+}
+
+// Returns the four-velocity of free fall from rest at infinity.
+fn law_infalling(x: Real3) -> Real4 {
+    let clock = law_clock(x);
+    let speed = sqrt(select(not_a_number(), 1.0 - clock, clock <= 1.0));
+    return Real4(-speed * normalize(x - law.center), 1.0 / clock);
+}

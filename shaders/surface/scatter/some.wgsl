@@ -14,6 +14,9 @@ fn scatter_ray(ray: Ray, met: ptr<function, Hit>, pixel: vec2u) -> Ray {
     if SEES_GLOW {
         note_glow();
     }
+    if COUNTS_TRANSFER {
+        note_glow();
+    }
     let scattered = scattered_at(materials[surface.material], surface, end, ray.index, pixel);
     var next = ray;
     if !scattered.continues {
@@ -21,6 +24,9 @@ fn scatter_ray(ray: Ray, met: ptr<function, Hit>, pixel: vec2u) -> Ray {
     }
     if ABSORBS {
         absorption_left(ray, end, side);
+    }
+    if TRANSFERS {
+        transfer_left(pixel, ray, end, side);
     }
     if FINDS_CAUSTICS {
         note_sent();

@@ -24,6 +24,7 @@ mod tests;
 mod tokens;
 mod tree;
 mod variable;
+mod volume;
 
 pub use curve::Curve;
 pub use emissivity::Emissivity;
@@ -34,6 +35,7 @@ pub use interval::{Enclosure, Interval};
 pub use line_element::{LineElement, Spot};
 pub use spacetime::{Field, Spacetime};
 pub use variable::Variable;
+pub use volume::{Coefficients, VolumeField, VolumeFormulas, VolumeTexts};
 
 use glam::DVec3;
 use std::fmt;

@@ -120,11 +120,16 @@ impl Reader {
         Language { names, example, terms: self.terms.clone() }
     }
 
+    /// Returns a parser of functions of these names, without the names of line elements.
+    pub fn plain() -> Self {
+        Self { graph: Graph::strict(), terms: Vec::new() }
+    }
+
     pub fn tree(&self, text: &str, names: &'static [Name]) -> Result<Tree, FormulaError> {
         parse::parse(text, &self.language(names))
     }
 
-    fn define(&mut self, name: &str, value: Id, sines: Option<[Id; 2]>) {
+    pub fn define(&mut self, name: &str, value: Id, sines: Option<[Id; 2]>) {
         self.terms.push(name.to_owned());
         self.graph.define(Term { value, sines });
     }
@@ -156,12 +161,12 @@ impl Reader {
             return Err((field, wrong(0..0, problem, "")));
         }
         for (k, (name, value)) in written.parameters.iter().enumerate() {
-            self.is_new(name).map_err(|error| (Field::Parameter(k), error))?;
+            self.is_new(name, &ALL).map_err(|error| (Field::Parameter(k), error))?;
             let value = self.graph.constant(*value);
             self.define(name, value, None);
         }
         for (k, (name, text)) in written.terms.iter().enumerate() {
-            self.is_new(name).map_err(|error| (Field::TermName(k), error))?;
+            self.is_new(name, &ALL).map_err(|error| (Field::TermName(k), error))?;
             let tree = self.tree(text, &ALL).map_err(|error| (Field::Term(k), error))?;
             let value = self.graph.of_tree(&tree);
             self.define(name, value, None);
@@ -184,8 +189,8 @@ impl Reader {
         Ok(())
     }
 
-    /// Checks that a name is valid and not defined yet.
-    fn is_new(&self, name: &str) -> Result<(), FormulaError> {
+    /// Checks that a name is valid and not defined yet, by these names or by the user.
+    pub fn is_new(&self, name: &str, names: &'static [Name]) -> Result<(), FormulaError> {
         let place = 0..name.len();
         let is_name = name.starts_with(|c: char| c.is_ascii_alphabetic())
             && name.chars().all(|c| c.is_ascii_alphanumeric() || c == '_');
@@ -194,7 +199,7 @@ impl Reader {
             return Err(wrong(place, format!("`{name}` is not a valid name"), help));
         }
         let mut functions = Function::WRITTEN.iter().map(|(text, _)| *text).chain(["min", "max"]);
-        if self.language(&ALL).named(name).is_some() || functions.any(|known| known == name) {
+        if self.language(names).named(name).is_some() || functions.any(|known| known == name) {
             return Err(wrong(place, format!("`{name}` is already defined"), "use another name"));
         }
         Ok(())

@@ -129,6 +129,8 @@ impl Arguments {
             Layer::Redshift => scene.has_frequencies(),
             Layer::ImageOrder => scene.has_orders(),
             layer if layer.is_of_crossings() || layer.is_of_paths() && self.from.is_some() => false,
+            Layer::Intensity(_) => layer.refused_by(scene).is_none(),
+            Layer::OpticalDepth(_) => false,
             Layer::Samples => scene.image.adaptive.is_some(),
             Layer::StandardError => scene.rays.path_tracing.is_some(),
             Layer::Accumulated | Layer::LuminanceM2 => is_continuable(scene),

@@ -1,5 +1,6 @@
 //! The result of a render for each image, as text and as JSON.
 
+use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
@@ -8,7 +9,9 @@ use serde_json::{Value, json};
 use crate::cli::format::{CommandResult, shown};
 use crate::cli::share::Target;
 use crate::measure::{Quantiles, Verification};
-use crate::render::{Adaptive, Clamped, LightReport, Noise, StartUp, Status, Totals, Window};
+use crate::render::{
+    Adaptive, Clamped, FrequencyReport, LightReport, Noise, StartUp, Status, Totals, Window, frequency_reports,
+};
 use crate::scene::{Rays, Scene};
 
 /// An image, a frame of an animation, or a band of either.
@@ -57,6 +60,7 @@ impl CommandResult for Picture<'_> {
             Some(frame) => lines.push(format!("frame {frame}: ready after {ready:.3} s; {totals}")),
             None => lines.extend([format!("reproduce with: {}", made.again), totals.to_string()]),
         }
+        lines.extend(frequency_reports(made.scene, &totals.radiation).iter().map(told_frequency));
         lines.join("\n")
     }
 
@@ -73,6 +77,20 @@ impl CommandResult for Picture<'_> {
             }
         }
         found
+    }
+}
+
+/// Returns the light at a frequency in words.
+fn told_frequency(report: &FrequencyReport) -> String {
+    let at = report.frequency_hz.map_or_else(|| report.frequency.to_string(), |hertz| format!("{hertz:e} Hz"));
+    let mut text = format!("frequency {at}: brightest {:.6e}", report.brightest);
+    if let Some(kelvins) = report.brightest_temperature_k {
+        let _ = write!(text, " ({kelvins:.4e} K)"); // writing to a String cannot fail
+    }
+    match (report.flux_jy, report.flux) {
+        (Some(flux), _) => text + &format!(", flux {flux:.6} Jy"),
+        (None, Some(flux)) => text + &format!(", flux {flux:.6e}"),
+        (None, None) => text,
     }
 }
 
@@ -114,6 +132,8 @@ fn counts(made: &Made) -> Value {
         "unresolved_rays": made.unfollowed(),
         "unlit_points": totals.unlit,
         "absorption_unconverged": totals.unfiltered,
+        "undefined_matter": totals.undefined,
+        "radiation": frequency_reports(made.scene, &totals.radiation),
         "overrun_segments": totals.overrun,
     })
 }

@@ -201,6 +201,12 @@ impl Camera {
         self.projection.is_from_a_point() && self.stereo.is_none()
     }
 
+    /// Returns `true` if all rays have the same direction.
+    #[must_use]
+    pub fn is_parallel(&self) -> bool {
+        !self.projection.is_from_a_point() && self.stereo.is_none()
+    }
+
     /// Returns the angle of a pixel at the center of an image of this size, in radians, or `None` for parallel rays.
     #[must_use]
     pub fn pixel_angle(&self, size: [u32; 2]) -> Option<f64> {

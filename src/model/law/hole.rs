@@ -140,6 +140,7 @@ impl Law for RoundHole {
             carries_time: is_geodesic,
             orbit: (!is_geodesic).then_some(orbit),
             momentum_parts,
+            flows: &[Observer::Zamo, Observer::ProgradeOrbit, Observer::RetrogradeOrbit, Observer::Infalling],
             swallows: self.horizon().map(|horizon| self.sphere(horizon)),
             refuses_interiors: is_geodesic.then_some("interiors require law.form = \"path\""),
             ..LawProperties::default()

@@ -209,6 +209,7 @@ impl Law for KerrNewman {
             orbit: self.horizon().map(|_| orbit),
             turns_before_capture: self.is_extreme(),
             momentum_parts: &["law/momentum/kerr_newman"],
+            flows: &[Observer::Zamo, Observer::ProgradeOrbit, Observer::RetrogradeOrbit, Observer::Infalling],
             below: self.horizon().map(|horizon| ("law/below_kerr_newman", self.spheroid(horizon))),
             swallows: self.inner_horizon().map(|inner| self.spheroid(inner)),
             refuses_interiors: Some(

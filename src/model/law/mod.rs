@@ -32,7 +32,7 @@ mod wormhole;
 use std::fmt;
 use std::sync::Arc;
 
-use glam::{DMat3, DMat4, DVec3, DVec4};
+use glam::{DMat3, DMat4, DQuat, DVec3, DVec4};
 
 use super::dyn_eq::same;
 use super::{Absorption, Anchor, Binding, Capture, ClosedForm, DynEq, Medium, Wgsl, absorption};
@@ -125,6 +125,8 @@ pub struct LawProperties<'a> {
     pub swallows: Option<Capture>,
     /// The modules for the momentum of light; empty if light has no frequency under this law.
     pub momentum_parts: &'static [&'static str],
+    /// The observers as which matter in volumes may move, in addition to static and Eulerian ones.
+    pub flows: &'static [Observer],
     /// The reason why the direction of a ray has no effect, if this is so.
     pub ignores_direction: Option<&'static str>,
     /// The reason why light cannot be traced forward from its sources, if this is so.
@@ -202,6 +204,7 @@ impl Default for LawProperties<'_> {
             below: None,
             swallows: None,
             momentum_parts: &[],
+            flows: &[],
             ignores_direction: None,
             refuses_sent_light: None,
             refuses_surfaces: None,
@@ -330,6 +333,12 @@ pub trait Law: fmt::Debug + Send + Sync + DynEq {
     /// Returns the center and the axis of the matter on [`Observer::ProgradeOrbit`], if matter can orbit.
     fn equator(&self) -> Option<[DVec3; 2]> {
         None
+    }
+
+    /// Returns the axes of formulas of position in the law's coordinates, of which the third is the axis of the law.
+    fn formula_axes(&self) -> DMat3 {
+        let axis = self.equator().map_or(DVec3::Z, |[_, axis]| axis);
+        DMat3::from_quat(DQuat::from_rotation_arc(DVec3::Z, axis))
     }
 
     /// Returns a position in the coordinates in which the spacetime is usually described, about [`equator`](Self::equator); `None` if there

@@ -53,7 +53,11 @@ fn bands(width: u32, heights: &[u32]) -> Vec<Band> {
                 (Layer::CrossingTime, Plane::Crossings([31, 32, 33, 34].map(plane))),
                 (Layer::CrossingRedshift, Plane::Crossings([35, 36, 37, 38].map(plane))),
                 (Layer::CrossingAngle, Plane::Crossings([39, 40, 41, 42].map(plane))),
-            ],
+            ]
+            .into_iter()
+            .chain((0..8).map(|k| (Layer::Intensity(k), Plane::Scalar(plane(43 + u32::from(k))))))
+            .chain((0..8).map(|k| (Layer::OpticalDepth(k), Plane::Scalar(plane(51 + u32::from(k))))))
+            .collect(),
         });
         first_row += rows;
     }

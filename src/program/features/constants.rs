@@ -21,6 +21,9 @@ impl Features {
             has_two_skies sees_through has_vertex_colors is_transparent enumerates adapts is_filmic keeps_footprints
             beams shifts_hues knows_shift follows_shift keeps_orders keeps_crossings
         );
+        let volumes = named!(self.volumes;
+            transfers transfers_orbits is_spectral counts_transfer keeps_depth absorbs_volumes shifts_volumes has_horizon volumes_change places_by_law is_parallel
+        );
         let derived = [
             ("leaves_surfaces", self.looks_from_surfaces || self.shoots || self.follows_paths),
             ("looks_for_light", self.looks_from_surfaces || self.shoots),
@@ -51,7 +54,7 @@ impl Features {
             ("side_by_side", self.views == Some(StereoLayout::SideBySide)),
             ("top_bottom", self.views == Some(StereoLayout::TopBottom)),
         ];
-        plain.into_iter().chain(derived).map(|(name, value)| (name.to_uppercase(), value)).collect()
+        plain.into_iter().chain(volumes).chain(derived).map(|(name, value)| (name.to_uppercase(), value)).collect()
     }
 
     /// Returns the constants as WGSL.

@@ -3,11 +3,15 @@
 //! *Length.* Over 300 lines, because it is a list, with a field and a line for each feature.
 
 mod constants;
+mod passes;
+mod volumes;
+
+pub use volumes::VolumeFeatures;
 
 use glam::DVec3;
 
 use super::regions::{RegionKind, Regions};
-use super::{Analysis, DeviceProfile, Layer, Mode, Pass, PathEnds, ProgramOptions, RaySkipping, Schedule};
+use super::{Analysis, DeviceProfile, Layer, Mode, PathEnds, ProgramOptions, RaySkipping, Schedule};
 use crate::model::method::Path;
 use crate::model::{Absorption, Capture, StereoLayout};
 use crate::scene::{Animation, Light, Precision, Scene, Segment, Shadows, Sky, Splitting, Tonemap};
@@ -57,6 +61,9 @@ pub struct Features {
     pub absorption_jumps: bool,
     /// Some medium emits light into rays.
     pub sees_glow: bool,
+
+    /// The light of volumes.
+    pub volumes: VolumeFeatures,
 
     /// The image is path-traced.
     pub follows_paths: bool,
@@ -197,6 +204,7 @@ pub struct Features {
 impl Features {
     /// Determines the features of `scene`, rendered with `options`.
     #[must_use]
+    #[expect(clippy::too_many_lines, reason = "a list")]
     pub fn of(scene: &Scene, options: &ProgramOptions, Analysis { regions, structure }: &Analysis) -> Self {
         let ProgramOptions { mode, masks, layers, device, ends, .. } = options.clone();
         let is_picture = mode == Mode::Picture;
@@ -205,10 +213,11 @@ impl Features {
         let schedule = schedule(scene, options, is_picture && rounds == 1 && !shoots);
         let grids = || scene.lights.iter().filter(|light| light.shadows == Shadows::Grid);
         let beams = is_picture && camera.is_some_and(|camera| camera.redshift);
-        let knows_shift = beams || keeps_shift(scene, options);
-        let follows_paths = is_picture && scene.rays.path_tracing.is_some();
         let (joins_whole, ends_with_steps) =
             (regions.kinds.iter().all(|kind| joins_whole(scene, kind)), ends_with_steps(scene));
+        let volumes = VolumeFeatures::of(scene, options, ends_with_steps);
+        let knows_shift = beams || keeps_shift(scene, options) || volumes.shifts_volumes;
+        let follows_paths = is_picture && scene.rays.path_tracing.is_some();
         let (is_occluded, follows_lines) = (scene.is_occluded(), scene.lines().next().is_some());
         Self {
             mode,
@@ -238,7 +247,10 @@ impl Features {
             disperses: scene.disperses(),
             absorbs: (is_picture || mode.leaves_light()) && scene.absorptions().next().is_some(),
             absorption_jumps: scene.absorptions().any(Absorption::jumps),
-            sees_glow: is_picture && scene.absorptions().any(|filter| filter.emission != DVec3::ZERO),
+            sees_glow: is_picture
+                && (scene.absorptions().any(|filter| filter.emission != DVec3::ZERO)
+                    || volumes.transfers && !volumes.is_spectral),
+            volumes,
 
             follows_paths,
             in_pieces: follows_paths && !joins_whole,
@@ -265,7 +277,7 @@ impl Features {
             captures_by_formula: facts.line_element().is_some_and(|element| element.graph().4.is_some()),
             is_extreme: facts.turns_before_capture,
             is_asymptotic: scene.rays.sky_at_infinity,
-            needs_arcs: scene.needs_arcs(),
+            needs_arcs: scene.needs_arcs() || volumes.transfers && !ends_with_steps,
             on_orbit: scene.rays.method.kind.path == Path::Orbit,
             is_plane: facts.orbit.is_some_and(|orbit| orbit.is_plane()),
             is_about_center: is_about_center(scene),
@@ -332,37 +344,12 @@ impl Features {
         matches!(self.mode, Mode::Trace | Mode::Pixels) || self.layers.contains(&Layer::Steps)
     }
 
-    /// Returns the passes, in the order in which they first run.
-    #[must_use]
-    pub fn passes(&self) -> Vec<Pass> {
-        if self.shades_ends() {
-            return vec![Pass::Reshade];
-        }
-        let mut passes = match (self.mode, self.schedule) {
-            (Mode::Bare, _) => return vec![Pass::Setup, Pass::Bare],
-            (Mode::Lit, _) => return vec![Pass::Setup, Pass::Shots],
-            (_, Schedule::Whole) => vec![Pass::Whole],
-            (_, Schedule::Fused) => vec![Pass::Setup, Pass::Advance],
-            (_, Schedule::Segment) => vec![Pass::Setup, Pass::Integrate],
-            (_, Schedule::Paper) => vec![Pass::Setup, Pass::SingleStep],
-        };
-        if matches!(self.schedule, Schedule::Segment | Schedule::Paper) {
-            passes.extend(self.has_objects.then_some(Pass::Intersect));
-            passes.push(Pass::Terminate);
-            passes.extend(self.scatters.then_some(Pass::Scatter));
-        }
-        if self.schedule != Schedule::Whole {
-            passes.push(if self.is_picture() { Pass::Shade } else { Pass::Record });
-        }
-        passes.extend(self.adapts.then_some(Pass::Refine));
-        passes
-    }
-
     /// Returns `true` if the distance τ along the path is needed.
     #[must_use]
     pub fn asks_tau(&self) -> bool {
         self.needs_arcs
             || self.keeps_crossings
+            || self.volumes.transfers && self.volumes.volumes_change
             || self.ends == PathEnds::Stored
             || !matches!(self.mode, Mode::Picture | Mode::Bare)
     }

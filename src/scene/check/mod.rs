@@ -10,6 +10,7 @@ mod ambient;
 mod animation;
 mod eyes;
 mod image;
+mod matter;
 mod paths;
 mod rays;
 mod regions;
@@ -29,7 +30,7 @@ use crate::assets::Files;
 use crate::document::reader::{Reader, TableReader};
 use crate::document::values::{color, direction, number_where, point, positive, positive_length, whole, word};
 use crate::document::{Document, Override, given_name, read_given_text};
-use crate::model::{Camera, Capture, Law, camera, law, material, shape};
+use crate::model::{Camera, Capture, Law, camera, law, material, shape, volume};
 use glam::{DMat3, DVec3};
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -216,6 +217,9 @@ pub(super) fn scene(reader: &Reader, files: &mut Files) -> Option<Scene> {
         root.fault(&["law"], "absorption requires arcs, and these rays are chords", help);
     }
     let occlusion = ambient::read(&root, &optics, chords);
+    let (volumes, radiation) = volume::read(&root, law.as_deref(), files);
+    let matter = matter::Rest { law: law.as_deref(), camera: camera.as_ref(), objects: &objects };
+    matter::check(&root, (&volumes, radiation.as_ref()), &matter, [chords, paths.is_some(), image.adaptive.is_some()]);
     if paths.is_some() {
         paths::refuse(&root, &lights);
     }
@@ -251,6 +255,8 @@ pub(super) fn scene(reader: &Reader, files: &mut Files) -> Option<Scene> {
         materials,
         objects,
         lights,
+        volumes,
+        radiation,
         occlusion,
         animation,
         pictures: files.pictures(),

@@ -18,6 +18,8 @@ pub(super) fn fixed() -> Vec<KeyReference> {
             output: "table" = "{}", "how radiance becomes a PNG";
             materials: "table of tables" = "{}", "named materials";
             objects: "array of tables" = "[]", "surfaces that rays can hit";
+            volumes: "array of tables" = "[]", "matter that emits and absorbs light along its path";
+            radiation: "table" = "none", "light at given frequencies instead of colors, which volumes emit and absorb";
             lights: "array of tables" = "[]",
                 "point and directional lights for phong materials; path tracing uses emitting objects and the sky instead";
             path_tracing if r#"lighting = "path-tracing""#: "table" = "{}", "indirect illumination";

@@ -11,7 +11,7 @@ pub use templates::{TEMPLATES, Template};
 use std::sync::LazyLock;
 
 use crate::document::KeyReference;
-use crate::model::{absorption, camera, falloff, law, material, medium, method, point_source, shape};
+use crate::model::{absorption, camera, falloff, law, material, medium, method, point_source, shape, volume};
 
 /// Every key by table; a test compares the list with the keys that the readers request.
 pub static REFERENCE: LazyLock<Vec<KeyReference>> = LazyLock::new(|| {
@@ -25,6 +25,7 @@ pub static REFERENCE: LazyLock<Vec<KeyReference>> = LazyLock::new(|| {
         method::reference(),
         material::KINDS.reference(),
         shape::KINDS.reference(),
+        volume::reference(),
     ]
     .concat();
     let mut all = keys::fixed();
@@ -49,7 +50,8 @@ fn add_copy(all: &mut Vec<KeyReference>, original: &'static str, copy: &'static 
 }
 
 /// The tables that are read by their kinds alone, each with the table that it follows.
-const AFTER: [(&str, &str); 5] = [
+const AFTER: [(&str, &str); 6] = [
+    ("volumes", "objects"),
     ("law", "camera.stereo"),
     ("law.sources.falloff", "law.sources"),
     ("medium", "law.sources.falloff"),
@@ -84,7 +86,7 @@ fn row(key: &KeyReference) -> String {
 fn heading(table: &str) -> String {
     match table {
         "" => "### Top level".to_owned(),
-        "objects" | "lights" | "law.sources" | "animation.tracks" => format!("### `[[{table}]]`"),
+        "objects" | "volumes" | "lights" | "law.sources" | "animation.tracks" => format!("### `[[{table}]]`"),
         _ => format!("### `[{table}]`"),
     }
 }

@@ -201,6 +201,7 @@ impl Law for Metric {
             throat: self.throat,
             form: Form::LineElement(&self.element),
             momentum_parts: &["law/momentum/metric"],
+            flows: &[Observer::Zamo],
             refuses_surfaces: in_time.then_some("a law that depends on t would restart at each surface"),
             refuses_interiors: Some("in a spacetime, the speed of light in an interior is not defined"),
             refuses_sent_light: sent,

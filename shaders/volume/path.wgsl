@@ -1,0 +1,92 @@
+// The light of volumes along a whole path, from pass to pass.
+
+// Adds the light of a step up to the fraction `until`, as the camera sees it.
+fn transfer_along(step: Stretch, until: Real) {
+    if !IS_SPECTRAL {
+        transfer_step(step, until);
+        add_step();
+    } else if COUNTS_TRANSFER {
+        let before = transferred.light;
+        transfer_step(step, until);
+        let weight = select(0.0, Real(kept_throughput().x), glow_counts);
+        for (var k = 0u; k < CHANNELS; k++) {
+            transferred.light[k] = before[k] + weight * (transferred.light[k] - before[k]);
+        }
+    } else {
+        transfer_step(step, until);
+    }
+}
+
+// Starts the transfer of the path of a pixel.
+fn start_transfer(pixel: vec2u) {
+    transferred = Light();
+    store_transfer(pixel);
+}
+
+// Prepares the transfer along the next steps of a pixel's ray.
+fn begin_transfer(pixel: vec2u) {
+    if SHIFTS_VOLUMES {
+        note_kept(pixel);
+    }
+    load_transfer(pixel);
+    transfer_invalid = false;
+    transfer_unsettled = false;
+}
+
+fn transfer_passed(ray: Ray, next: Ray) {
+    if TRANSFERS_ORBITS {
+        return;
+    }
+    if COUNTS_TRANSFER {
+        note_glow();
+    }
+    transfer_along(stretch_of(ray, next), 1.0);
+}
+
+// Adds the light of the last step of a path, up to its end.
+fn transfer_end(pixel: vec2u, ray: Ray, end: PathPoint) {
+    begin_transfer(pixel);
+    if !TRANSFERS_ORBITS {
+        if end.fraction > 0.0 {
+            let step = stretch_last(last_step(ray));
+            transfer_along(step, end.fraction);
+            if HAS_HORIZON {
+                if ray.status == CAPTURED {
+                    transfer_tail(step, end.fraction);
+                }
+            }
+        }
+    }
+    keep_transfer(pixel);
+}
+
+// Adds the light of the last step, after a surface has put the ray into another region; `came_through` is the region that it passed.
+fn transfer_left(pixel: vec2u, ray: Ray, end: PathPoint, came_through: u32) {
+    let now = region_bits();
+    enter_set(came_through);
+    transfer_end(pixel, ray, end);
+    enter_set(now);
+}
+
+// Adds the light of a segment between two slots of the state, if its ray continues after it.
+fn transfer_segment(spot: ActiveRay, lives: bool) {
+    if lives {
+        load_throughput(spot.pixel);
+        begin_transfer(spot.pixel);
+        let ray = load_ray(spot.pixel, spot.word);
+        transfer_passed(ray, accepted_step(ray));
+        keep_transfer(spot.pixel);
+        store_throughput(spot.pixel);
+    }
+}
+
+// Stores the light so far. Light that is not defined is lost, and so are the path's earlier pieces: the ray shows nothing.
+fn keep_transfer(pixel: vec2u) {
+    if transfer_unsettled {
+        tally_at_once(UNFILTERED);
+    }
+    if transfer_invalid {
+        fail_transfer();
+    }
+    store_transfer(pixel);
+}

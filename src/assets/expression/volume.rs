@@ -1,0 +1,259 @@
+//! The formulas of a volume: its density, emission, absorption and motion, as functions of position, time and the frequency of light.
+//!
+//! *Practice.* All formulas of a volume share one graph, so that equal subexpressions are one node. Emission and absorption are usually
+//! powers of the frequency: then the program needs one value for all frequencies.
+
+use super::spacetime::Reader;
+use super::tree::Name;
+use super::{FormulaError, Function, Graph, Id, Node, Variable, check};
+
+/// The variables of functions of position and time, by their index in [`VolumeFormulas::VARIABLES`].
+const PLACE: [Name; 7] = [
+    Name::Variable("x", Variable(0)),
+    Name::Variable("y", Variable(1)),
+    Name::Variable("z", Variable(2)),
+    Name::Variable("t", Variable(3)),
+    Name::Variable("r", Variable(4)),
+    Name::Variable("rho", Variable(5)),
+    Name::Pi,
+];
+/// The sine and the cosine of the polar angle.
+const POLAR: [Variable; 2] = [Variable(6), Variable(7)];
+const NU: Variable = Variable(9);
+
+/// These variables, the density and the frequency.
+const ALL: [Name; 9] = [
+    PLACE[0],
+    PLACE[1],
+    PLACE[2],
+    PLACE[3],
+    PLACE[4],
+    PLACE[5],
+    PLACE[6],
+    Name::Variable("n", Variable(8)),
+    Name::Variable("nu", NU),
+];
+
+/// The formulas of a volume as written.
+#[derive(Debug, Clone, PartialEq)]
+pub struct VolumeTexts {
+    /// The parameters: names for numbers.
+    pub parameters: Vec<(String, f64)>,
+    /// The names for formulas of position; each formula may use the names before it.
+    pub terms: Vec<(String, String)>,
+    /// The density.
+    pub density: String,
+    /// The emission per unit length: one for all channels, or one for each of three.
+    pub emission: Vec<String>,
+    /// The absorption per unit length, likewise.
+    pub absorption: Vec<String>,
+    /// The temperature of black-body emission, in kelvins, instead of the emission.
+    pub temperature: Option<String>,
+    /// The formulas of the motion: none, one, or three components.
+    pub flow: Vec<String>,
+    /// The length over which the volume changes.
+    pub scale: Option<String>,
+}
+
+/// The text that contains an error.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum VolumeField {
+    /// A name for a number.
+    Parameter(usize),
+    /// A name for a formula.
+    TermName(usize),
+    /// A formula with a name.
+    Term(usize),
+    /// The density.
+    Density,
+    /// A formula of the emission.
+    Emission(usize),
+    /// A formula of the absorption.
+    Absorption(usize),
+    /// The temperature.
+    Temperature,
+    /// A formula of the motion.
+    Flow(usize),
+    /// The length scale.
+    Scale,
+}
+
+/// The formulas of a volume.
+#[derive(Debug, Clone)]
+pub struct VolumeFormulas {
+    texts: VolumeTexts,
+    graph: Graph,
+    /// The density n.
+    pub density: Id,
+    /// The emission and the absorption of each channel.
+    pub coefficients: Vec<Coefficients>,
+    /// The temperature.
+    pub temperature: Option<Id>,
+    /// The motion.
+    pub flow: Vec<Id>,
+    /// The length scale.
+    pub scale: Option<Id>,
+}
+
+/// The emission and the absorption of one channel.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Coefficients {
+    /// The emission, per unit length.
+    pub emission: Id,
+    /// The absorption, per unit length.
+    pub absorption: Id,
+}
+
+impl VolumeFormulas {
+    /// The names of the variables in WGSL.
+    pub const VARIABLES: [&'static str; 10] =
+        ["p.q.x", "p.q.y", "p.q.z", "p.time", "p.r", "p.rho", "p.sine", "p.cosine", "n", "nu"];
+
+    /// Parses the formulas.
+    ///
+    /// # Errors
+    ///
+    /// The first error, with the text that contains it.
+    pub fn parse(texts: VolumeTexts) -> Result<Self, (VolumeField, FormulaError)> {
+        let mut reader = Reader::plain();
+        name_angles(&mut reader).map_err(|error| (VolumeField::Density, error))?;
+        for (k, (name, value)) in texts.parameters.iter().enumerate() {
+            reader.is_new(name, &ALL).map_err(|error| (VolumeField::Parameter(k), error))?;
+            let value = reader.graph.constant(*value);
+            reader.define(name, value, None);
+        }
+        let of = |reader: &mut Reader, text: &str, names: &'static [Name], field: VolumeField| {
+            let tree = reader.tree(text, names).map_err(|error| (field, error))?;
+            let id = reader.graph.of_tree(&tree);
+            check(text, &reader.graph, &[id]).map_err(|error| (field, error))?;
+            Ok(id)
+        };
+        for (k, (name, text)) in texts.terms.iter().enumerate() {
+            reader.is_new(name, &ALL).map_err(|error| (VolumeField::TermName(k), error))?;
+            let value = of(&mut reader, text, &PLACE, VolumeField::Term(k))?;
+            reader.define(name, value, None);
+        }
+        let density = of(&mut reader, &texts.density, &PLACE, VolumeField::Density)?;
+        let mut all = |texts: &[String], names: &'static [Name], field: fn(usize) -> VolumeField| {
+            let each = texts.iter().enumerate().map(|(k, text)| of(&mut reader, text, names, field(k)));
+            each.collect::<Result<Vec<Id>, _>>()
+        };
+        let emission = all(&texts.emission, &ALL, VolumeField::Emission)?;
+        let absorption = all(&texts.absorption, &ALL, VolumeField::Absorption)?;
+        let flow = all(&texts.flow, &PLACE, VolumeField::Flow)?;
+        let mut one =
+            |text: &Option<String>, field| text.as_ref().map(|text| of(&mut reader, text, &PLACE, field)).transpose();
+        let temperature = one(&texts.temperature, VolumeField::Temperature)?;
+        let scale = one(&texts.scale, VolumeField::Scale)?;
+        let channel = |all: &[Id], k: usize| all[k.min(all.len() - 1)];
+        let channels = emission.len().max(absorption.len());
+        let coefficients = (0..channels)
+            .map(|k| Coefficients { emission: channel(&emission, k), absorption: channel(&absorption, k) })
+            .collect();
+        Ok(Self { texts, graph: reader.graph, density, coefficients, temperature, flow, scale })
+    }
+
+    /// Returns the formulas as written.
+    #[must_use]
+    pub fn texts(&self) -> &VolumeTexts {
+        &self.texts
+    }
+
+    /// Returns the graph of all formulas.
+    #[must_use]
+    pub fn graph(&self) -> &Graph {
+        &self.graph
+    }
+
+    /// Returns the first text that contains the frequency.
+    #[must_use]
+    pub fn with_frequency(&self) -> Option<VolumeField> {
+        let fields = self.coefficients.iter().enumerate().flat_map(|(k, channel)| {
+            [(VolumeField::Emission(k), channel.emission), (VolumeField::Absorption(k), channel.absorption)]
+        });
+        fields.into_iter().find(|(_, id)| self.depends_on(*id, NU)).map(|(field, _)| field)
+    }
+
+    /// Returns `true` if some formula depends on the time.
+    #[must_use]
+    pub fn changes(&self) -> bool {
+        let channels = self.coefficients.iter().flat_map(|channel| [channel.emission, channel.absorption]);
+        let all = channels.chain([self.density]).chain(self.flow.iter().copied()).chain(self.temperature);
+        all.into_iter().any(|id| self.depends_on(id, Variable(3)))
+    }
+
+    /// Returns `true` if nothing absorbs light.
+    #[must_use]
+    pub fn is_clear(&self) -> bool {
+        self.coefficients.iter().all(|channel| self.graph.number(channel.absorption) == Some(0.0))
+    }
+
+    fn depends_on(&self, root: Id, variable: Variable) -> bool {
+        self.graph.reached(&[root]).iter().any(|id| self.graph.node(*id) == Node::Variable(variable))
+    }
+
+    /// Returns p if a formula is proportional to νᵖ.
+    #[must_use]
+    pub fn exponent(&self, id: Id) -> Option<f64> {
+        if !self.depends_on(id, NU) {
+            return Some(0.0);
+        }
+        match self.graph.node(id) {
+            Node::Variable(_) => Some(1.0),
+            Node::Negative(a) => self.exponent(a),
+            Node::Product(a, b) => Some(self.exponent(a)? + self.exponent(b)?),
+            Node::Quotient(a, b) => Some(self.exponent(a)? - self.exponent(b)?),
+            Node::Power(a, k) => Some(self.exponent(a)? * f64::from(k)),
+            Node::Sum(a, b) | Node::Difference(a, b) => {
+                let (a, b) = (self.exponent(a)?, self.exponent(b)?);
+                (a.to_bits() == b.to_bits()).then_some(a)
+            }
+            Node::Call(Function::Sqrt, a) => Some(0.5 * self.exponent(a)?),
+            // Other powers are e^(p log ν).
+            Node::Call(Function::Exp, a) => self.of_logarithm(a),
+            _ => None,
+        }
+    }
+
+    /// Returns p of p log ν.
+    fn of_logarithm(&self, id: Id) -> Option<f64> {
+        match self.graph.node(id) {
+            Node::Call(Function::Log, a) => self.exponent(a),
+            Node::Negative(a) => Some(-self.of_logarithm(a)?),
+            Node::Product(a, b) => Some(self.graph.number(a)? * self.of_logarithm(b)?),
+            _ => None,
+        }
+    }
+
+    /// Returns the values of roots at a position: x, y, z, t, r, rho, sin θ, cos θ, n and ν.
+    #[must_use]
+    pub fn values(&self, variables: &[f64; 10]) -> Vec<f64> {
+        self.graph.evaluate(variables)
+    }
+}
+
+/// Defines theta and phi, whose sines and cosines need no angle.
+fn name_angles(reader: &mut Reader) -> Result<(), FormulaError> {
+    let [sine, cosine] = POLAR.map(|variable| reader.graph.make(Node::Variable(variable)));
+    let one = reader.graph.constant(1.0);
+    let half = reader.graph.sum(one, cosine);
+    let half = reader.graph.quotient(sine, half);
+    let half = reader.graph.call(Function::Atan, half);
+    let theta = reader.graph.sum(half, half);
+    reader.define("theta", theta, Some([sine, cosine]));
+    let mut of = |text: &str| {
+        let tree = reader.tree(text, &PLACE)?;
+        Ok(reader.graph.of_tree(&tree))
+    };
+    let (phi, sine, cosine) =
+        (of("2 * atan(y / (sqrt(x^2 + y^2) + x))")?, of("y / sqrt(x^2 + y^2)")?, of("x / sqrt(x^2 + y^2)")?);
+    reader.define("phi", phi, Some([sine, cosine]));
+    Ok(())
+}
+
+/// Formulas are equal if their texts are.
+impl PartialEq for VolumeFormulas {
+    fn eq(&self, other: &Self) -> bool {
+        self.texts == other.texts
+    }
+}

@@ -1,0 +1,243 @@
+//! The scene's volumes as WGSL: where matter is, how it moves, and how it emits and absorbs light.
+
+use std::fmt::Write as _;
+
+use super::Features;
+use super::formula::body;
+use super::generated::{switch, unit};
+use super::names::Names;
+use super::unit::Unit;
+use crate::assets::VolumeFormulas;
+use crate::model::law::Observer;
+use crate::model::volume::{Flow, Radiation, Show};
+use crate::scene::{Scene, Volume};
+
+/// Planck's constant times 1 Hz divided by Boltzmann's constant, in kelvins.
+const KELVIN_PER_HERTZ: f64 = 4.799_243_073_366_221e-11;
+/// 2h/c², in erg s³/cm².
+const PLANCK: f64 = 2.0 * 6.626_070_15e-27 / (2.997_924_58e10 * 2.997_924_58e10);
+
+/// Adds the modules for light along paths through volumes.
+pub(super) fn volume_parts(scene: &Scene, features: &Features, names: &mut Names) {
+    if !features.volumes.transfers {
+        return;
+    }
+    names.all(&["volume/transfer", "volume/path", "volume/region_crossing", "volume/spot"]);
+    let is_central =
+        features.volumes.transfers_orbits && scene.volumes.iter().all(|volume| central_radius(volume, scene).is_some());
+    names.add(if is_central { "volume/region_central" } else { "volume/region" });
+    names.add(if features.volumes.transfers_orbits { "volume/stretch_orbit" } else { "volume/stretch" });
+    names.all(&["volume/flow", "volume/placed"]);
+    if scene.media().all(|medium| medium.facts().formula.is_none()) && scene.fans().is_empty() {
+        names.add("medium/formula");
+    }
+    names.add(if features.volumes.is_spectral { "picture/radiation" } else { "volume/colored" });
+    names.make(volumes(scene, features));
+}
+
+/// Generates the matter of all volumes at a point of a path.
+fn volumes(scene: &Scene, features: &Features) -> Unit {
+    let all = &scene.volumes;
+    let channels = scene.radiation.as_ref().map_or(3, |radiation| radiation.frequencies.len());
+    let mut text = format!("const CHANNELS: u32 = {channels}u;\nconst VOLUMES: u32 = {}u;\n\n", all.len());
+    let norms: Vec<_> = all.iter().enumerate().map(|(v, volume)| (format!("{v}u"), norm(volume))).collect();
+    text += &switch("fn volume_norm(v: u32, p: Real3) -> Real", "v", &norms);
+    let gap = |volume: &Volume| match central_radius(volume, scene) {
+        Some(radius) if radius.is_finite() => format!("reach - {radius:?}"),
+        _ => "Real(-1e30)".to_owned(),
+    };
+    let gaps: Vec<_> = all.iter().enumerate().map(|(v, volume)| (format!("{v}u"), gap(volume))).collect();
+    text += &switch("fn volume_gap(v: u32, reach: Real) -> Real", "v", &gaps);
+    for (v, volume) in all.iter().enumerate() {
+        text += &one(v, volume, scene, features);
+    }
+    text += "fn matter_of(spot: Spot, within: u32) -> Matter {\n    var matter: Matter;\n";
+    for v in 0..all.len() {
+        let call = format!("add_volume_{v}(spot, &matter);");
+        // A piece is in some volume, so that a single one needs no test.
+        let _ = match all.len() {
+            1 => writeln!(text, "    {call}"),
+            _ => writeln!(text, "    if (within & {}u) != 0u {{\n        {call}\n    }}", 1_u32 << v),
+        };
+    }
+    text += "    return matter;\n}\n\nfn matter_at(step: Stretch, within: u32, f: Real) -> Matter {\n    \
+             return matter_of(stretch_spot(step, f), within);\n}\n\n";
+    text += &longest(all);
+    if let Some(radiation) = &scene.radiation {
+        text += &shown(radiation);
+    }
+    unit("generated/volumes.wgsl", text)
+}
+
+/// Returns the radius of a volume that is a sphere around the law's center; infinity if it is all of space.
+fn central_radius(volume: &Volume, scene: &Scene) -> Option<f64> {
+    let Some(region) = &volume.region else { return Some(f64::INFINITY) };
+    let [center, _] = scene.law.equator()?;
+    let radius = region.transform.uniform_scale().filter(|_| region.name == "sphere")?;
+    (region.transform.0.translation == center).then_some(radius)
+}
+
+fn norm(volume: &Volume) -> String {
+    volume.region.as_ref().map_or_else(|| "Real(0.0)".to_owned(), |region| format!("norm_{}(p)", region.name))
+}
+
+/// Generates the largest size of a piece, as a fraction of its step.
+fn longest(volumes: &[Volume]) -> String {
+    let mut text = "fn transfer_longest(step: Stretch, within: u32, f: Real) -> Real {\n".to_owned();
+    if volumes.iter().all(|volume| volume.formulas.scale.is_none()) {
+        return text + "    return 2.0;\n}\n\n";
+    }
+    text += "    let spot = stretch_spot(step, f);\n    var longest: Real = 1e30;\n";
+    for (v, volume) in volumes.iter().enumerate() {
+        if volume.formulas.scale.is_some() {
+            let _ = writeln!(
+                text,
+                "    if (within & {}u) != 0u {{\n        longest = min(longest, volume_scale_{v}(volume_place_{v}(spot)));\n    }}",
+                1_u32 << v
+            );
+        }
+    }
+    text + "    return 0.5 * longest / max(length(stretch_way(step, f)), 1e-30);\n}\n\n"
+}
+
+/// Generates the functions of one volume.
+fn one(v: usize, volume: &Volume, scene: &Scene, features: &Features) -> String {
+    let formulas = &volume.formulas;
+    let variables: &'static [&'static str] = &VolumeFormulas::VARIABLES;
+    let mut text = String::new();
+    let origin = if features.volumes.places_by_law { String::new() } else { format!(", volumes[{v}u].origin") };
+    let by = if features.volumes.places_by_law { "law" } else { "origin" };
+    let _ = writeln!(
+        text,
+        "\nfn volume_place_{v}(spot: Spot) -> MatterPlace {{\n    return placed_by_{by}(spot{origin});\n}}\n"
+    );
+    let mut function = |name: &str, arguments: &str, roots: &[crate::assets::Id]| {
+        let (lines, values) = body(formulas.graph(), roots, variables);
+        let of = if values.len() > 1 { format!("Real{}", values.len()) } else { "Real".to_owned() };
+        let value = if values.len() > 1 { format!("{of}({})", values.join(", ")) } else { values.join("") };
+        let _ = writeln!(
+            text,
+            "fn volume_{name}_{v}(p: MatterPlace{arguments}) -> {of} {{\n{lines}    return {value};\n}}\n"
+        );
+    };
+    function("density", "", &[formulas.density]);
+    for (k, channel) in formulas.coefficients.iter().enumerate() {
+        function(&format!("matter_{k}"), ", n: Real, nu: Real", &[channel.emission, channel.absorption]);
+    }
+    if !formulas.flow.is_empty() {
+        function("flow", "", &formulas.flow);
+    }
+    if let Some(scale) = formulas.scale {
+        function("scale", "", &[scale]);
+    }
+    if let Some(temperature) = formulas.temperature {
+        function("temperature", "", &[temperature]);
+    }
+    text += &added(v, volume, scene, features);
+    text
+}
+
+/// Generates the addition of a volume's matter at a spot.
+fn added(v: usize, volume: &Volume, scene: &Scene, features: &Features) -> String {
+    let formulas = &volume.formulas;
+    let mut text = format!(
+        "fn add_volume_{v}(spot: Spot, matter: ptr<function, Matter>) {{\n    let p = volume_place_{v}(spot);\n    \
+         let n = volume_density_{v}(p);\n    if n == 0.0 {{\n        return;\n    }}\n"
+    );
+    let shifts = features.volumes.shifts_volumes;
+    let shift = if shifts { shift(v, volume.flow) } else { "1.0".to_owned() };
+    let higher = if features.volumes.has_horizon { higher(volume.flow) } else { "" };
+    let _ = writeln!(text, "    let s: Real = {shift}{higher};");
+    text += "    let rate = spot.pace / (s * s * spot.index);\n    let dimming = spot.pace * s;\n";
+    let radiation = scene.radiation.as_ref();
+    let factors = radiation.and_then(|_| exponents(formulas));
+    if let Some([emission, absorption]) = factors {
+        let _ = writeln!(text, "    let one = volume_matter_0_{v}(p, n, 1.0);");
+        if emission != 0.0 || absorption != 0.0 {
+            text += "    let growth = real_log(s);\n";
+        }
+        let power = |p: f64| if p == 0.0 { String::new() } else { format!(" * real_exp({p:?} * growth)") };
+        let _ = writeln!(text, "    let bright = rate * one.x{};", power(emission));
+        let _ = writeln!(text, "    let dim = dimming * one.y{};", power(absorption));
+    }
+    let channels = radiation.map_or(3, |radiation| radiation.frequencies.len());
+    for k in 0..channels {
+        let nu = radiation.map_or(1.0, |radiation| radiation.frequencies[k]);
+        let values = if let Some([emission, absorption]) = factors {
+            format!("{:?} * bright, {:?} * dim", nu.powf(emission), nu.powf(absorption))
+        } else {
+            let which = if radiation.is_some() { 0 } else { k.min(formulas.coefficients.len() - 1) };
+            let _ = writeln!(text, "    let c{k} = volume_matter_{which}_{v}(p, n, {nu:?} * s);");
+            match formulas.temperature {
+                Some(_) => format!("rate * c{k}.y * {}, dimming * c{k}.y", black_body(v, nu, scene)),
+                None => format!("rate * c{k}.x, dimming * c{k}.y"),
+            }
+        };
+        let _ = writeln!(text, "    add_matter(matter, {k}u, n, {values});");
+    }
+    text + "}\n\n"
+}
+
+/// Returns the powers of ν to which the emission and the absorption are proportional.
+fn exponents(formulas: &VolumeFormulas) -> Option<[f64; 2]> {
+    let [channel] = formulas.coefficients[..] else { return None };
+    if formulas.temperature.is_some() {
+        return None;
+    }
+    Some([formulas.exponent(channel.emission)?, formulas.exponent(channel.absorption)?])
+}
+
+/// Returns the Planck function at the frequency of the matter, in units of the emission times the scene's unit of length.
+fn black_body(v: usize, nu: f64, scene: &Scene) -> String {
+    let (hertz, unit) = planck_units(scene);
+    let (most, kelvin) = (PLANCK * hertz.powi(3) / unit, KELVIN_PER_HERTZ * hertz);
+    format!("planck({nu:?} * s, {most:?}, {kelvin:?}, volume_temperature_{v}(p))")
+}
+
+/// Returns ν₀ in hertz and the unit of intensity; without them, temperatures are in units of hν₀/k and intensities of 2hν₀³/c².
+fn planck_units(scene: &Scene) -> (f64, f64) {
+    let radiation = scene.radiation.as_ref();
+    let hertz = radiation.and_then(|radiation| radiation.reference).unwrap_or(1.0 / KELVIN_PER_HERTZ);
+    let length = scene.units.and_then(|units| units.length);
+    let unit = radiation.zip(length).and_then(|(radiation, length)| radiation.unit(length));
+    (hertz, unit.unwrap_or(PLANCK * hertz.powi(3)))
+}
+
+/// Returns the frequency of light to the matter of a volume.
+fn shift(v: usize, flow: Flow) -> String {
+    match flow {
+        Flow::Observer(Observer::Eulerian) => "shift_of_velocity(spot, law_eulerian(spot.x))".to_owned(),
+        Flow::Observer(Observer::Infalling) => "shift_of_velocity(spot, law_infalling(spot.x))".to_owned(),
+        Flow::Observer(Observer::Zamo) => "shift_of_momentum(spot, law_turning(spot), 0.0)".to_owned(),
+        Flow::Observer(Observer::ProgradeOrbit) => orbiting("1.0"),
+        Flow::Observer(Observer::RetrogradeOrbit) => orbiting("-1.0"),
+        Flow::Observer(_) => "shift_at_rest(spot)".to_owned(),
+        Flow::AngularMomentum => format!("shift_of_momentum(spot, law_turning(spot), volume_flow_{v}(p))"),
+        Flow::AngularVelocity => format!("shift_of_rate(spot, law_turning(spot), volume_flow_{v}(p))"),
+        Flow::Velocity => format!("shift_of_boost(spot, volume_flow_{v}(p))"),
+    }
+}
+
+/// Returns the factor of the frequency at twice the height above a horizon, where matter that falls moves differently.
+fn higher(flow: Flow) -> &'static str {
+    match flow {
+        Flow::Observer(Observer::Eulerian | Observer::Infalling) | Flow::Velocity => " * spot.higher * spot.higher",
+        _ => " * spot.higher",
+    }
+}
+
+fn orbiting(sense: &str) -> String {
+    format!("shift_of_rate(spot, law_turning(spot), law_orbiting(p.r * p.sine, {sense}))")
+}
+
+/// Generates the color of a picture's intensities.
+fn shown(radiation: &Radiation) -> String {
+    let value = match radiation.show {
+        Show::Gray => "vec3f(f32(transferred.light[0]))".to_owned(),
+        Show::Heat => "heat_color(f32(transferred.light[0]))".to_owned(),
+        Show::Frequencies(all) => {
+            format!("vec3f({})", all.map(|k| format!("f32(transferred.light[{k}])")).join(", "))
+        }
+    };
+    format!("fn shown_radiation() -> vec3f {{\n    return {value} / transfer.white;\n}}\n")
+}
