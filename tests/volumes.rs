@@ -249,7 +249,7 @@ fn schedules_and_halves_of_a_volume_agree() {
     }
 }
 
-/// In color, the light of a uniform ball is j/κ (1 − e^(−κ d)) for each channel, and what is behind is weakened by e^(−κ d).
+/// A uniform ball of emission j and absorption κ adds j/κ (1 − e^(−κ d)) to each color channel, and weakens the sky behind it by e^(−κ d).
 #[test]
 fn colors_follow_the_same_law() {
     let text = "[image]\nsize = [1, 1]\n[camera]\nposition = [0, 0, 10]\nfov = 0.01\n[sky]\ncolor = [0.5, 0.5, 0.5]\n\
