@@ -229,6 +229,20 @@ impl<'r, 'a> TableReader<'r, 'a> {
         self.table.iter().map(|(name, _, node)| (name.as_str(), node))
     }
 
+    /// Reads the entries of a table with names that the user chooses, in order; all are read before the first error returns.
+    pub fn named<T>(
+        &self,
+        key: &'static str,
+        path: &'static str,
+        read: &dyn Fn(&'a Node) -> Option<T>,
+    ) -> Option<Vec<(String, &'a Node, T)>> {
+        let Some(node) = self.node(key) else { return Some(Vec::new()) };
+        let own = self.reader.open(path, node)?;
+        let all: Vec<Option<_>> =
+            own.entries().map(|(name, node)| Some((name.to_owned(), node, read(node)?))).collect();
+        all.into_iter().collect()
+    }
+
     /// Records an error at the value of a key in a subtable, or else as [`TableReader::fault`] does.
     pub fn fault_within(&self, table: &str, key: &str, problem: String, help: String) {
         let inner = self.table.iter().find(|(name, _, _)| name == table).map(|(_, _, node)| &node.value);

@@ -38,10 +38,9 @@ impl Uploads<'_> {
             one("limit", row! { length: Float(rays.max_parameter.unwrap_or(f64::MAX)) }),
             one("sky", sky_row(sky)),
         ];
-        if let Some(first) = self.scene.volumes.first() {
+        if !self.scene.volumes.is_empty() {
             all.push(one("transfer", self.transfer()));
             let is_by_law = self.scene.places_volumes_by_law();
-            debug_assert!(first.formulas.coefficients.len() <= 3);
             all.push(volume::regions(&self.scene.volumes, |own| if is_by_law { DVec3::ZERO } else { own.center() }));
         }
         match rays.segment {

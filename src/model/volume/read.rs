@@ -79,8 +79,8 @@ pub(crate) fn read(root: &TableReader, law: Option<&dyn Law>, files: &mut Files)
 
 fn volume(table: &TableReader, law: Option<&dyn Law>, with_frequencies: bool, files: &mut Files) -> Option<Volume> {
     let region = if table.gives("shape") { Some(region(table, files)?) } else { None };
-    let parameters = named(table, "parameters", "volumes.parameters", &|node| table.reader.accept(number(node)));
-    let terms = named(table, "terms", "volumes.terms", &|node| formula(table, node));
+    let parameters = table.named("parameters", "volumes.parameters", &|node| table.reader.accept(number(node)));
+    let terms = table.named("terms", "volumes.terms", &|node| formula(table, node));
     let density = table.node("density");
     let (emission, source) = (table.node("emission"), table.subtable("source", "volumes.source"));
     if let (Some(node), true) = (emission, source.is_some()) {
@@ -256,17 +256,4 @@ fn flow<'a>(table: &TableReader<'_, 'a>, law: Option<&dyn Law>) -> Option<(Flow,
         return None;
     }
     Some((flow, nodes))
-}
-
-/// Reads the entries of a table in order; all are read before the first error returns.
-fn named<'a, T>(
-    table: &TableReader<'_, 'a>,
-    key: &'static str,
-    path: &'static str,
-    read: &dyn Fn(&'a Node) -> Option<T>,
-) -> Option<Vec<(String, &'a Node, T)>> {
-    let Some(node) = table.node(key) else { return Some(Vec::new()) };
-    let own = table.reader.open(path, node)?;
-    let all: Vec<Option<_>> = own.entries().map(|(name, node)| Some((name.to_owned(), node, read(node)?))).collect();
-    all.into_iter().collect()
 }

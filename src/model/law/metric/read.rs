@@ -12,8 +12,8 @@ pub(super) fn read(table: &TableReader) -> Option<Metric> {
     let element = table.required_node("line_element", "\"-dt^2 + dx^2 + dy^2 + dz^2\"");
     let scale = table.required_node("scale", "\"r\"");
     let captured = table.node("capture_condition");
-    let parameters = named(table, "parameters", "law.parameters", &|node| table.reader.accept(number(node)));
-    let terms = named(table, "terms", "law.terms", &|node| written(table, node));
+    let parameters = table.named("parameters", "law.parameters", &|node| table.reader.accept(number(node)));
+    let terms = table.named("terms", "law.terms", &|node| written(table, node));
     let rotate = table.or("rotate", DVec3::ZERO, angles);
     let throat = table.optional("throat", positive_length);
     let other = throat.map(|_| table.required("other_mouth", "[1000, 0, 0]", point));
@@ -67,17 +67,4 @@ pub(super) fn read(table: &TableReader) -> Option<Metric> {
 fn written(table: &TableReader, node: &Node) -> Option<String> {
     let said = text(node).map_err(|_| table.reader.fault(node.fault("expected a formula, in quotes", "")));
     said.ok().map(str::to_owned)
-}
-
-/// Reads the entries of a table in order; all are read before the first error returns.
-fn named<'a, T>(
-    table: &TableReader<'_, 'a>,
-    key: &'static str,
-    path: &'static str,
-    read: &dyn Fn(&'a Node) -> Option<T>,
-) -> Option<Vec<(String, &'a Node, T)>> {
-    let Some(node) = table.node(key) else { return Some(Vec::new()) };
-    let own = table.reader.open(path, node)?;
-    let all: Vec<Option<_>> = own.entries().map(|(name, node)| Some((name.to_owned(), node, read(node)?))).collect();
-    all.into_iter().collect()
 }
