@@ -55,6 +55,7 @@ mod sky_light;
 mod spacetimes;
 mod steps;
 mod structure;
+mod thin_volumes;
 mod transparency;
 mod travels;
 mod tree;

@@ -131,7 +131,7 @@ fn torus_matter(name: &str) -> String {
     )
 }
 
-fn lights(scene: &Scene, rays: &[[f64; 6]]) -> Vec<Vec<Transferred>> {
+pub fn lights(scene: &Scene, rays: &[[f64; 6]]) -> Vec<Vec<Transferred>> {
     let gpu = gpu();
     let mut tracer = Tracer::new(&gpu, scene, RenderSettings::default(), Mode::Trace).unwrap();
     let (_, totals) = tracer.follow(Starts::Given(rays)).unwrap();

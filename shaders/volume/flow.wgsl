@@ -23,6 +23,18 @@ fn shift_of_momentum(spot: Spot, g: Turning, l: Real) -> Real {
     return possible(square) * (spot.energy * along + spot.turning * around) / -g.determinant;
 }
 
+// Returns the frequency of light to matter that orbits around the axis at the distance R = r sin θ. Within the last stable orbit it falls with
+// the energy and the angular momentum of that, where it can.
+fn shift_of_orbit(spot: Spot, distance: Real, sense: Real, last: Real3) -> Real {
+    if law_axial(distance) < last.x {
+        let u = law_falling(spot.x, last.y, last.z);
+        if !is_not_a_number(u.w + u.x) {
+            return shift_of_velocity(spot, u);
+        }
+    }
+    return shift_of_rate(spot, law_turning(spot), law_orbiting(distance, sense));
+}
+
 // Returns the frequency of light to matter at rest.
 fn shift_at_rest(spot: Spot) -> Real {
     if FOLLOWS_SHIFT {

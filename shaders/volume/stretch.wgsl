@@ -1,38 +1,44 @@
-// A step of any motion, whose positions are retaken from its start.
+// A step of any motion as a part of a path along which light is transferred.
 
 struct Stretch {
     start: Phase,
     // The size, in the parameter of the step.
     h: Real,
     tau: Real,
+    polynomial: StepPolynomial,
+}
+
+// The coefficients of the powers of s from -1 at the start of a step to 1 at its end, if it is interpolated.
+struct StepPolynomial {
+    middle: Phase,
+    first: Phase,
+    second: Phase,
+    third: Phase,
+    fourth: Phase,
+    fifth: Phase,
 }
 
 fn stretch_of(ray: Ray, next: Ray) -> Stretch {
-    return Stretch(ray.phase, own_size(ray, next), ray.tau);
+    return stretch_step(ray.phase, next.phase, own_size(ray, next), ray.tau);
 }
 
 fn stretch_last(step: LastStep) -> Stretch {
-    return Stretch(step.phase, step.h, step.tau);
+    return stretch_step(step.phase, step.end, step.h, step.tau);
 }
 
 fn stretch_place(step: Stretch, f: Real) -> Real3 {
-    return retaken_step(step.start, f * step.h)[0].xyz;
-}
-
-// Returns the change of the position per unit of the step's fraction.
-fn stretch_way(step: Stretch, f: Real) -> Real3 {
-    let p = retaken_step(step.start, f * step.h);
-    return step.h * own_pace(p) * path_velocity(p[1].xyz);
+    return stretch_phase(step, f)[0].xyz;
 }
 
 // Returns the decrease of the radius per unit of the step's fraction.
 fn stretch_fall(step: Stretch, f: Real) -> Real {
-    return -dot(law_rise(law_arm(stretch_place(step, f))), stretch_way(step, f));
+    let p = stretch_phase(step, f);
+    return -step.h * own_pace(p) * dot(law_rise(law_arm(p[0].xyz)), path_velocity(p[1].xyz));
 }
 
 // Returns the position and the light at a fraction of a step.
 fn stretch_spot(step: Stretch, f: Real) -> Spot {
-    let p = retaken_step(step.start, f * step.h);
+    let p = stretch_phase(step, f);
     let x = p[0].xyz;
     let v = path_velocity(p[1].xyz);
     var spot: Spot;

@@ -56,12 +56,6 @@ fn stretch_reach(step: Stretch, f: Real) -> Real {
     return sqrt(r * r + dot(law.spin, law.spin) * dot(here.n.xy, here.n.xy));
 }
 
-// Returns the change of the position per unit of the stretch's fraction.
-fn stretch_way(step: Stretch, f: Real) -> Real3 {
-    let here = stretch_orbit(step, f);
-    return (step.s * orbit_pace(here, here.u, here.n.z, here.gap)) * orbit_point(here)[1];
-}
-
 // Returns the decrease of the radius per unit of the stretch's fraction.
 fn stretch_fall(step: Stretch, f: Real) -> Real {
     let here = stretch_orbit(step, f);

@@ -20,6 +20,9 @@ struct Transfer {
     time: f32,
     // The light that is white in pictures.
     white: f32,
+    // The last stable orbits: the distance from the axis, and E and L.
+    last_prograde: Real3,
+    last_retrograde: Real3,
     // The axes of formulas.
     first: Real3,
     second: Real3,
@@ -51,20 +54,24 @@ const GAUSS_TO_FIRST: Real3 = Real3(0.1388888888888889, -0.03597666752493890, 0.
 const GAUSS_TO_MIDDLE: Real3 = Real3(0.3002631949808646, 0.2222222222222222, -0.02248541720308681);
 const GAUSS_TO_LAST: Real3 = Real3(0.2679883337624694, 0.4804211119693833, 0.1388888888888889);
 const GAUSS_WEIGHTS: Real3 = Real3(0.2777777777777778, 0.4444444444444444, 0.2777777777777778);
-// The sums over the first half that vanish for cubic and for linear functions; in the second half they are mirrored.
+// The sums over the first half that vanish for quartic, cubic and linear functions; in the second half they are mirrored, and the first is
+// negative.
+const NULL_QUARTIC: Real3 = Real3(0.0297155667, -0.1721331889, 0.5297172973);
 const NULL_CUBIC: Real3 = Real3(0.1361496700, -0.4444444444, 0.3082947744);
 const NULL_LINEAR: Real3 = Real3(0.2777777778, 0.0, -0.2777777778);
-// The largest number of pieces of a step, and the least size of one, in units of rounding errors of the step.
-const TRANSFER_PIECES: u32 = 4096u;
-const LEAST_PIECE: Real = 8.0;
+// After this number of pieces of a step, none is cut for its error; and the least size of one, in rounding errors of positions.
+const TRANSFER_PIECES: u32 = 1024u;
+const LEAST_PIECE: Real = 24.0;
+// The part of that down to which surfaces of volumes are looked for.
+const REGION_PART: Real = 0.1;
 // Matter behind this optical depth is not seen.
 const OPAQUE: Real = 80.0;
 // The optical depth of half a piece from which its source function is taken as linear.
 const THICK: Real = 1.0;
 
-// The light of a piece, its depth, and their errors.
+// The light that a piece adds, as the camera sees it, its depth, and the largest error of both in units of those that count.
 struct TransferPiece {
-    sum: Light,
+    added: Light,
     error: Real,
 }
 
@@ -72,36 +79,81 @@ fn transfer_exp(depth: Real) -> Real {
     return real_exp(-min(depth, OPAQUE));
 }
 
-// Returns a sum's error from the sums that vanish for smooth functions: of a smooth one the higher is much smaller.
-fn null_error(cubic: Real, linear: Real) -> Real {
-    let c = abs(cubic);
-    return c * min(1.0, c / max(abs(linear), 1e-30));
+// Returns a sum's error from the sums that vanish for smooth functions: of a smooth one the higher are much smaller. Two of about the same
+// order are combined, because one may vanish by chance (Berntsen and Espelid 1991).
+fn null_error(nulls: Real3) -> Real {
+    let c = length(nulls.xy);
+    return c * min(1.0, c / max(abs(nulls.z), 1e-30));
+}
+
+// Returns the light and the depth at the end of a piece to which its errors are relative.
+fn light_that_counts(k: u32, piece: TransferPiece) -> Real2 {
+    let light = transferred.light[k] + piece.added.light[k] + Real(transfer.floor);
+    return Real2(light, clamp(transferred.depth[k] + piece.added.depth[k], 1e-30, 1.0));
+}
+
+// The part of a piece beyond its first and its last point.
+const BEYOND_POINTS: Real = 0.0563508327;
+
+// Returns the error of a piece by edges of matter between its ends and the points next to them, `outer`.
+fn edge_error(step: Stretch, within: u32, start: Real, size: Real, outer: array<Matter, 2>, piece: TransferPiece) -> Real {
+    let a = matter_at(step, within, start);
+    let b = matter_at(step, within, start + size);
+    var error: Real = 0.0;
+    for (var k = 0u; k < CHANNELS; k++) {
+        let one = edge_of(Real2(outer[0].emission[k], outer[0].absorption[k]), Real2(a.emission[k], a.absorption[k]));
+        let two = edge_of(Real2(outer[1].emission[k], outer[1].absorption[k]), Real2(b.emission[k], b.absorption[k]));
+        let depth = transferred.depth[k];
+        let seen = transfer_exp(depth) * one + transfer_exp(depth + piece.added.depth[k]) * two;
+        let beyond = BEYOND_POINTS * size * seen / light_that_counts(k, piece);
+        error = max(error, max(beyond.x, beyond.y));
+    }
+    return error;
+}
+
+// Returns the sum if one of both is 0.
+fn edge_of(a: Real2, b: Real2) -> Real2 {
+    return select(Real2(0.0), a + b, min(a, b) <= Real2(0.0));
 }
 
 // Returns a piece of a step between two fractions of it. `within` marks the volumes that contain it.
 fn transfer_piece(step: Stretch, within: u32, start: Real, size: Real) -> TransferPiece {
-    var piece = TransferPiece(transferred, 0.0);
-    var nulls: array<Real4, CHANNELS>;
+    var piece = TransferPiece(Light(), 0.0);
+    // Sums that vanish for smooth functions, of the light and of the depth.
+    var nulls: array<Real3, CHANNELS>;
+    var depth_nulls: array<Real3, CHANNELS>;
     var rough: array<Real, CHANNELS>;
     let h = 0.5 * size;
+    if BOUNDS_MATTER {
+        begin_seen();
+    }
+    var outer: array<Matter, 2>;
     var half = 0u;
     loop {
         let a = start + Real(half) * h;
         let first = matter_at(step, within, a + GAUSS_POINTS.x * h);
         let middle = matter_at(step, within, a + GAUSS_POINTS.y * h);
         let last = matter_at(step, within, a + GAUSS_POINTS.z * h);
+        if HAS_EDGES {
+            if half == 0u {
+                outer[0] = first;
+            } else {
+                outer[1] = last;
+            }
+        }
+        let quartic = select(NULL_QUARTIC, -NULL_QUARTIC.zyx, half == 1u);
         let cubic = select(NULL_CUBIC, NULL_CUBIC.zyx, half == 1u);
         let linear = select(NULL_LINEAR, NULL_LINEAR.zyx, half == 1u);
         for (var k = 0u; k < CHANNELS; k++) {
             let j = h * Real3(first.emission[k], middle.emission[k], last.emission[k]);
             if !ABSORBS_VOLUMES {
-                piece.sum.light[k] += dot(GAUSS_WEIGHTS, j);
-                nulls[k] += Real4(dot(cubic, j), dot(linear, j), 0.0, 0.0);
+                piece.added.light[k] += dot(GAUSS_WEIGHTS, j);
+                nulls[k] += Real3(dot(quartic, j), dot(cubic, j), dot(linear, j));
                 continue;
             }
             let dims = h * Real3(first.absorption[k], middle.absorption[k], last.absorption[k]);
             let depth = dot(GAUSS_WEIGHTS, dims);
-            let before = piece.sum.depth[k];
+            let before = transferred.depth[k] + piece.added.depth[k];
             let at = max(Real3(dot(GAUSS_TO_FIRST, dims), dot(GAUSS_TO_MIDDLE, dims), dot(GAUSS_TO_LAST, dims)), Real3(0.0));
             if depth > THICK {
                 let source = j / max(dims, Real3(1e-30));
@@ -111,31 +163,39 @@ fn transfer_piece(step: Stretch, within: u32, start: Real, size: Real) -> Transf
                 let passes = transfer_exp(depth);
                 let share = (1.0 - passes) / depth - passes;
                 let front = transfer_exp(before);
-                piece.sum.light[k] += front * (near * (1.0 - passes - share) + far * share);
+                piece.added.light[k] += front * (near * (1.0 - passes - share) + far * share);
                 rough[k] += front * (abs(source.y - source.x - slope * (at.y - at.x)) + 0.25 * abs(source.x - near));
             } else {
                 let seen = j * Real3(transfer_exp(before + at.x), transfer_exp(before + at.y), transfer_exp(before + at.z));
-                piece.sum.light[k] += dot(GAUSS_WEIGHTS, seen);
-                nulls[k] += Real4(dot(cubic, seen), dot(linear, seen), 0.0, 0.0);
+                piece.added.light[k] += dot(GAUSS_WEIGHTS, seen);
+                nulls[k] += Real3(dot(quartic, seen), dot(cubic, seen), dot(linear, seen));
             }
-            nulls[k] += Real4(0.0, 0.0, dot(cubic, dims), dot(linear, dims));
-            piece.sum.depth[k] = before + depth;
+            depth_nulls[k] += Real3(dot(quartic, dims), dot(cubic, dims), dot(linear, dims));
+            piece.added.depth[k] += depth;
         }
         half += 1u;
         continuing {
             break if half == 2u;
         }
     }
-    // Errors in units of those that are allowed.
+    if HAS_EDGES {
+        piece.error = edge_error(step, within, start, size, outer, piece);
+    }
     for (var k = 0u; k < CHANNELS; k++) {
-        let off = null_error(nulls[k].x, nulls[k].y) + rough[k];
-        piece.error = max(piece.error, off / (piece.sum.light[k] + Real(transfer.floor)));
+        let counts = light_that_counts(k, piece);
+        piece.error = max(piece.error, (null_error(nulls[k]) + rough[k]) / counts.x);
         if ABSORBS_VOLUMES {
-            let shown = transfer_exp(transferred.depth[k]) * null_error(nulls[k].z, nulls[k].w);
-            piece.error = max(piece.error, shown / clamp(piece.sum.depth[k], 1e-30, 1.0));
+            piece.error = max(piece.error, transfer_exp(transferred.depth[k]) * null_error(depth_nulls[k]) / counts.y);
         }
     }
     return piece;
+}
+
+fn add_piece(piece: TransferPiece) {
+    for (var k = 0u; k < CHANNELS; k++) {
+        transferred.light[k] += piece.added.light[k];
+        transferred.depth[k] += piece.added.depth[k];
+    }
 }
 
 // True while something behind may be seen.
@@ -152,19 +212,29 @@ fn transfer_lasts() -> bool {
 
 const TRANSFER_END: Real = 24.0;
 
+// Returns the size of the shortest pieces, to whose light the rounding of positions adds a few percent.
+fn transfer_shortest(step: Stretch, until: Real) -> Real {
+    let start = stretch_place(step, 0.0);
+    let end = stretch_place(step, until);
+    let span = max(length(end - start), 1e-30);
+    return LEAST_PIECE * LAST_PART * until * max(1.0, max(length(start), length(end)) / span);
+}
+
 // Adds the light of a step from its start to the fraction `until`. The loop is tested at its end, because software drivers run the rest of
 // a loop's body once more after a test at its start.
 fn transfer_step(step: Stretch, until: Real) {
     var a: Real = 0.0;
     var size = until;
     var place = region_place(step, 0.0);
-    let shortest = LEAST_PIECE * LAST_PART * until;
+    if BOUNDS_MATTER {
+        begin_bounds();
+    }
+    let shortest = transfer_shortest(step, until);
     var pieces = 0u;
     loop {
-        pieces += 1u;
-        let is_last = pieces > TRANSFER_PIECES || is_spent();
+        let is_tired = pieces > TRANSFER_PIECES;
         let rest = until - a;
-        var end = select(a + size, until, size > 0.9999 * rest || is_last);
+        var end = select(a + size, until, size > 0.9999 * rest || is_spent());
         var at = region_place(step, end);
         let cut = region_cut(step, place, at, a, end);
         if cut.until < end {
@@ -172,23 +242,26 @@ fn transfer_step(step: Stretch, until: Real) {
             at = region_behind(step, cut);
         }
         let own = end - a;
-        let least = own <= shortest || is_last;
-        let longest = max(transfer_longest(step, cut.within, a), shortest);
-        var shortens = cut.unclear && !least;
+        let least = own <= shortest || is_tired || is_spent();
+        var shortens = cut.unclear && (!least || own > REGION_PART * shortest) && !is_spent();
         var error: Real = 0.0;
         if cut.within != 0u && !shortens && transfer_lasts() {
+            pieces += 1u;
             let piece = transfer_piece(step, cut.within, a, own);
             error = piece.error;
-            let agrees = error <= Real(transfer.tolerance) && own <= 1.001 * longest;
+            var agrees = error <= Real(transfer.tolerance);
+            if BOUNDS_MATTER {
+                agrees = agrees && !matter_hides(cut.within, piece, own);
+            }
             shortens = !agrees && !least;
-            transfer_unsettled = transfer_unsettled || (!agrees && is_last);
+            transfer_unsettled = transfer_unsettled || (!agrees && is_tired);
             if !shortens {
-                transferred = piece.sum;
+                add_piece(piece);
             }
         }
-        let easy = select(Real(1.0), Real(2.0), 16.0 * error < Real(transfer.tolerance));
-        let onward = select(max(size, easy * own), until, cut.within == 0u);
-        size = select(onward, min(0.5 * own, longest), shortens);
+        let easy = select(Real(1.0), Real(2.0), is_tired || 16.0 * error < Real(transfer.tolerance));
+        let onward = max(size, select(easy, 8.0, cut.within == 0u) * own);
+        size = select(onward, 0.5 * own, shortens);
         if !shortens {
             a = end;
             place = at;

@@ -358,8 +358,8 @@ pub(super) fn warn(totals: &Totals) {
     }
     if totals.unfiltered > 0 {
         tell!(
-            "warning: absorption did not converge to absorption.tolerance, or its formula left [0, 1], on {} path \
-             segments: raise absorption.tolerance, or correct the formula",
+            "warning: absorption did not converge to absorption.tolerance, or the light of volumes to radiation.tolerance, or \
+             its formula left [0, 1], on {} path segments: raise the tolerance, or correct the formula",
             totals.unfiltered
         );
     }

@@ -5,7 +5,9 @@ use glam::DVec3;
 use super::source::Uploads;
 use super::structure::Grid;
 use crate::model::Value::{self, Uint};
-use crate::model::{Binding, Radiation, Row, row, volume};
+use crate::model::law::Observer;
+use crate::model::volume::Flow;
+use crate::model::{Binding, Radiation, Row, matter, row, volume};
 use crate::scene::{Scene, Segment, Sky, Splitting, TransparentShadows};
 
 impl Uploads<'_> {
@@ -67,16 +69,26 @@ impl Uploads<'_> {
         let radiation = self.scene.radiation.as_ref();
         let axes = self.scene.law.formula_axes();
         row! {
-            tolerance: Float(radiation.map_or(Radiation::TOLERANCE, |radiation| radiation.tolerance)),
+            tolerance: Float(radiation.map_or(Radiation::COLOR_TOLERANCE, |radiation| radiation.tolerance)),
             horizon: Float(self.scene.horizon().map_or(0.0, |horizon| horizon.radius)),
             edge: Float(self.scene.volumes_reach().map_or(0.0, f64::recip)),
             floor: Float(1e-30),
             time: Float(self.scene.camera.as_ref().map_or(0.0, |camera| camera.time)),
             white: Float(radiation.map_or(1.0, |radiation| radiation.white) / self.scene.intensity_unit().unwrap_or(1.0)),
+            last_prograde: Vec3(self.last_stable(Observer::ProgradeOrbit)),
+            last_retrograde: Vec3(self.last_stable(Observer::RetrogradeOrbit)),
             first: Vec3(axes.x_axis),
             second: Vec3(axes.y_axis),
             third: Vec3(axes.z_axis),
         }
+    }
+
+    /// Returns the last stable orbit that some volume's matter follows.
+    fn last_stable(&self, sense: Observer) -> DVec3 {
+        let is_followed = self.scene.volumes.iter().any(|volume| volume.flow == Flow::Observer(sense));
+        let outer = 1e3 * self.scene.horizon().map_or(1.0, |horizon| horizon.radius);
+        let last = is_followed.then(|| matter::last_stable(self.scene.law.as_ref(), outer, sense));
+        last.flatten().map_or(DVec3::ZERO, |orbit| DVec3::new(orbit.rho, orbit.energy, orbit.momentum))
     }
 
     /// Returns the members of `ambient`: the range of occlusion (by default the diameter of the bounding sphere), its floor and its

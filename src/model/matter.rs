@@ -46,13 +46,14 @@ struct Plane<'a> {
     center: DVec3,
     out: DVec3,
     around: DVec3,
+    sense: Observer,
 }
 
 impl<'a> Plane<'a> {
-    fn of(law: &'a dyn Law) -> Option<Self> {
+    fn of(law: &'a dyn Law, sense: Observer) -> Option<Self> {
         let [center, axis] = law.equator()?;
         let out = axis.any_orthonormal_vector();
-        Some(Self { law, center, out, around: axis.cross(out) })
+        Some(Self { law, center, out, around: axis.cross(out), sense })
     }
 
     fn at(&self, rho: f64) -> DVec3 {
@@ -68,7 +69,7 @@ impl<'a> Plane<'a> {
 
     /// Returns the circular orbit at ρ, without its flux.
     fn circular(&self, rho: f64) -> Option<Orbit> {
-        let u = self.law.observer(Observer::ProgradeOrbit, self.at(rho))?.ok()?;
+        let u = self.law.observer(self.sense, self.at(rho))?.ok()?;
         let g = self.law.metric(self.at(rho), 0.0)?;
         let lowered = g * u;
         let momentum = rho * lowered.dot(self.around.extend(0.0));
@@ -86,7 +87,7 @@ impl<'a> Plane<'a> {
     /// Finds the minimum of L, inside of which no orbit is stable, by bisection from outside inwards.
     fn innermost_stable(&self, outer: f64) -> Option<f64> {
         let falls =
-            |rho: f64| self.slope(rho, |orbit| orbit.momentum).is_none_or(|slope| slope.is_nan() || slope <= 0.0);
+            |rho: f64| self.slope(rho, |orbit| orbit.momentum.abs()).is_none_or(|slope| slope.is_nan() || slope <= 0.0);
         let (mut below, mut above) = (outer, outer);
         while !falls(below) {
             above = below;
@@ -120,14 +121,21 @@ impl<'a> Plane<'a> {
 /// Returns ρ of the ISCO, if there is one within `outer`.
 #[must_use]
 pub fn innermost_stable(law: &dyn Law, outer: f64) -> Option<f64> {
-    Plane::of(law)?.innermost_stable(outer)
+    Plane::of(law, Observer::ProgradeOrbit)?.innermost_stable(outer)
+}
+
+/// Returns the ISCO of orbits in a sense, prograde or retrograde, if there is one within `outer`.
+#[must_use]
+pub fn last_stable(law: &dyn Law, outer: f64, sense: Observer) -> Option<Orbit> {
+    let plane = Plane::of(law, sense)?;
+    plane.circular(plane.innermost_stable(outer)?)
 }
 
 /// Returns `count` orbits in the equatorial plane of a law, with the index of the ISCO among them, or `None` if the law has no such orbits.
 /// They are spaced evenly in ln ρ, from about a quarter of the ISCO's ρ to `outer`.
 #[must_use]
 pub fn orbits(law: &dyn Law, outer: f64, count: usize) -> Option<(usize, Vec<Orbit>)> {
-    let plane = Plane::of(law)?;
+    let plane = Plane::of(law, Observer::ProgradeOrbit)?;
     let edge = plane.circular(plane.innermost_stable(outer)?)?;
     let (within, beyond) = (4.0_f64.ln(), (outer / edge.rho).ln());
     let at_edge = ((count - 1) as f64 * within / (within + beyond)) as usize;

@@ -44,6 +44,10 @@ pub(super) fn region_parts(
             names.all(scene.rays.control.kind.parts);
         }
     }
+    if features.volumes.transfers && !features.volumes.transfers_orbits {
+        let is_closed = matches!(kind.motion, Motion::Closed(_)) || orbit;
+        names.add(if is_closed { "volume/step_retaken" } else { "volume/step_interpolated" });
+    }
     names.units()
 }
 

@@ -5,9 +5,10 @@ use std::fmt::Write as _;
 use super::Features;
 use super::formula::body;
 use super::generated::{switch, unit};
+use super::matter_bounds::{bounds, hides, recorded};
 use super::names::Names;
 use super::unit::Unit;
-use crate::assets::VolumeFormulas;
+use crate::assets::{Id, VolumeFormulas};
 use crate::model::law::Observer;
 use crate::model::volume::{Flow, Radiation, Show};
 use crate::scene::{Scene, Volume};
@@ -32,6 +33,9 @@ pub(super) fn volume_parts(scene: &Scene, features: &Features, names: &mut Names
         names.add("medium/formula");
     }
     names.add(if features.volumes.is_spectral { "picture/radiation" } else { "volume/colored" });
+    if features.volumes.bounds_matter {
+        names.all(&["real/interval", "volume/bounds"]);
+    }
     names.make(volumes(scene, features));
 }
 
@@ -39,7 +43,15 @@ pub(super) fn volume_parts(scene: &Scene, features: &Features, names: &mut Names
 fn volumes(scene: &Scene, features: &Features) -> Unit {
     let all = &scene.volumes;
     let channels = scene.radiation.as_ref().map_or(3, |radiation| radiation.frequencies.len());
-    let mut text = format!("const CHANNELS: u32 = {channels}u;\nconst VOLUMES: u32 = {}u;\n\n", all.len());
+    let coefficients = all.iter().map(|volume| volume.formulas.coefficients.len()).max().unwrap_or(1);
+    let mut text = format!(
+        "const CHANNELS: u32 = {channels}u;\nconst VOLUMES: u32 = {}u;\nconst COEFFICIENTS: u32 = {coefficients}u;\n\n",
+        all.len()
+    );
+    if features.volumes.bounds_matter {
+        let most = all.iter().map(|volume| bounds(&volume.formulas).leaves.len()).max().unwrap_or(0);
+        let _ = writeln!(text, "const SMOOTH_FUNCTIONS: u32 = {most}u;\n");
+    }
     let norms: Vec<_> = all.iter().enumerate().map(|(v, volume)| (format!("{v}u"), norm(volume))).collect();
     text += &switch("fn volume_norm(v: u32, p: Real3) -> Real", "v", &norms);
     let gap = |volume: &Volume| match central_radius(volume, scene) {
@@ -62,7 +74,9 @@ fn volumes(scene: &Scene, features: &Features) -> Unit {
     }
     text += "    return matter;\n}\n\nfn matter_at(step: Stretch, within: u32, f: Real) -> Matter {\n    \
              return matter_of(stretch_spot(step, f), within);\n}\n\n";
-    text += &longest(all);
+    if features.volumes.bounds_matter {
+        text += &hides(all, channels);
+    }
     if let Some(radiation) = &scene.radiation {
         text += &shown(radiation);
     }
@@ -81,25 +95,6 @@ fn norm(volume: &Volume) -> String {
     volume.region.as_ref().map_or_else(|| "Real(0.0)".to_owned(), |region| format!("norm_{}(p)", region.name))
 }
 
-/// Generates the largest size of a piece, as a fraction of its step.
-fn longest(volumes: &[Volume]) -> String {
-    let mut text = "fn transfer_longest(step: Stretch, within: u32, f: Real) -> Real {\n".to_owned();
-    if volumes.iter().all(|volume| volume.formulas.scale.is_none()) {
-        return text + "    return 2.0;\n}\n\n";
-    }
-    text += "    let spot = stretch_spot(step, f);\n    var longest: Real = 1e30;\n";
-    for (v, volume) in volumes.iter().enumerate() {
-        if volume.formulas.scale.is_some() {
-            let _ = writeln!(
-                text,
-                "    if (within & {}u) != 0u {{\n        longest = min(longest, volume_scale_{v}(volume_place_{v}(spot)));\n    }}",
-                1_u32 << v
-            );
-        }
-    }
-    text + "    return 0.5 * longest / max(length(stretch_way(step, f)), 1e-30);\n}\n\n"
-}
-
 /// Generates the functions of one volume.
 fn one(v: usize, volume: &Volume, scene: &Scene, features: &Features) -> String {
     let formulas = &volume.formulas;
@@ -111,7 +106,7 @@ fn one(v: usize, volume: &Volume, scene: &Scene, features: &Features) -> String 
         text,
         "\nfn volume_place_{v}(spot: Spot) -> MatterPlace {{\n    return placed_by_{by}(spot{origin});\n}}\n"
     );
-    let mut function = |name: &str, arguments: &str, roots: &[crate::assets::Id]| {
+    let mut function = |name: &str, arguments: &str, roots: &[Id]| {
         let (lines, values) = body(formulas.graph(), roots, variables);
         let of = if values.len() > 1 { format!("Real{}", values.len()) } else { "Real".to_owned() };
         let value = if values.len() > 1 { format!("{of}({})", values.join(", ")) } else { values.join("") };
@@ -127,9 +122,6 @@ fn one(v: usize, volume: &Volume, scene: &Scene, features: &Features) -> String 
     if !formulas.flow.is_empty() {
         function("flow", "", &formulas.flow);
     }
-    if let Some(scale) = formulas.scale {
-        function("scale", "", &[scale]);
-    }
     if let Some(temperature) = formulas.temperature {
         function("temperature", "", &[temperature]);
     }
@@ -140,19 +132,29 @@ fn one(v: usize, volume: &Volume, scene: &Scene, features: &Features) -> String 
 /// Generates the addition of a volume's matter at a spot.
 fn added(v: usize, volume: &Volume, scene: &Scene, features: &Features) -> String {
     let formulas = &volume.formulas;
-    let mut text = format!(
+    let is_bounded = features.volumes.bounds_matter && formulas.varies();
+    let mut text = if is_bounded { recorded(v, formulas) } else { String::new() };
+    let _ = write!(
+        text,
         "fn add_volume_{v}(spot: Spot, matter: ptr<function, Matter>) {{\n    let p = volume_place_{v}(spot);\n    \
-         let n = volume_density_{v}(p);\n    if n == 0.0 {{\n        return;\n    }}\n"
+         let n = volume_density_{v}(p);\n"
     );
+    if is_bounded {
+        let _ = writeln!(text, "    see_volume_{v}(p);");
+    }
+    text += "    if n == 0.0 {\n        return;\n    }\n";
     let shifts = features.volumes.shifts_volumes;
     let shift = if shifts { shift(v, volume.flow) } else { "1.0".to_owned() };
     let higher = if features.volumes.has_horizon { higher(volume.flow) } else { "" };
     let _ = writeln!(text, "    let s: Real = {shift}{higher};");
     text += "    let rate = spot.pace / (s * s * spot.index);\n    let dimming = spot.pace * s;\n";
     let radiation = scene.radiation.as_ref();
-    let factors = radiation.and_then(|_| exponents(formulas));
+    let factors = radiation.and_then(|_| formulas.exponents());
     if let Some([emission, absorption]) = factors {
         let _ = writeln!(text, "    let one = volume_matter_0_{v}(p, n, 1.0);");
+        if is_bounded {
+            let _ = writeln!(text, "    see_matter({v}u, 0u, one);");
+        }
         if emission != 0.0 || absorption != 0.0 {
             text += "    let growth = real_log(s);\n";
         }
@@ -168,6 +170,16 @@ fn added(v: usize, volume: &Volume, scene: &Scene, features: &Features) -> Strin
         } else {
             let which = if radiation.is_some() { 0 } else { k.min(formulas.coefficients.len() - 1) };
             let _ = writeln!(text, "    let c{k} = volume_matter_{which}_{v}(p, n, {nu:?} * s);");
+            if is_bounded {
+                let emission = match formulas.temperature {
+                    Some(_) => format!("volume_temperature_{v}(p) * c{k}.y"),
+                    None => format!("c{k}.x"),
+                };
+                let _ = writeln!(
+                    text,
+                    "    see_frequency({v}u, {nu:?} * s);\n    see_matter({v}u, {which}u, Real2({emission}, c{k}.y));"
+                );
+            }
             match formulas.temperature {
                 Some(_) => format!("rate * c{k}.y * {}, dimming * c{k}.y", black_body(v, nu, scene)),
                 None => format!("rate * c{k}.x, dimming * c{k}.y"),
@@ -176,15 +188,6 @@ fn added(v: usize, volume: &Volume, scene: &Scene, features: &Features) -> Strin
         let _ = writeln!(text, "    add_matter(matter, {k}u, n, {values});");
     }
     text + "}\n\n"
-}
-
-/// Returns the powers of ν to which the emission and the absorption are proportional.
-fn exponents(formulas: &VolumeFormulas) -> Option<[f64; 2]> {
-    let [channel] = formulas.coefficients[..] else { return None };
-    if formulas.temperature.is_some() {
-        return None;
-    }
-    Some([formulas.exponent(channel.emission)?, formulas.exponent(channel.absorption)?])
 }
 
 /// Returns the Planck function at the frequency of the matter, in units of the emission times the scene's unit of length.
@@ -207,10 +210,10 @@ fn planck_units(scene: &Scene) -> (f64, f64) {
 fn shift(v: usize, flow: Flow) -> String {
     match flow {
         Flow::Observer(Observer::Eulerian) => "shift_of_velocity(spot, law_eulerian(spot.x))".to_owned(),
-        Flow::Observer(Observer::Infalling) => "shift_of_velocity(spot, law_infalling(spot.x))".to_owned(),
+        Flow::Observer(Observer::Infalling) => "shift_of_velocity(spot, law_falling(spot.x, 1.0, 0.0))".to_owned(),
         Flow::Observer(Observer::Zamo) => "shift_of_momentum(spot, law_turning(spot), 0.0)".to_owned(),
-        Flow::Observer(Observer::ProgradeOrbit) => orbiting("1.0"),
-        Flow::Observer(Observer::RetrogradeOrbit) => orbiting("-1.0"),
+        Flow::Observer(Observer::ProgradeOrbit) => orbiting("1.0, transfer.last_prograde"),
+        Flow::Observer(Observer::RetrogradeOrbit) => orbiting("-1.0, transfer.last_retrograde"),
         Flow::Observer(_) => "shift_at_rest(spot)".to_owned(),
         Flow::AngularMomentum => format!("shift_of_momentum(spot, law_turning(spot), volume_flow_{v}(p))"),
         Flow::AngularVelocity => format!("shift_of_rate(spot, law_turning(spot), volume_flow_{v}(p))"),
@@ -221,13 +224,15 @@ fn shift(v: usize, flow: Flow) -> String {
 /// Returns the factor of the frequency at twice the height above a horizon, where matter that falls moves differently.
 fn higher(flow: Flow) -> &'static str {
     match flow {
-        Flow::Observer(Observer::Eulerian | Observer::Infalling) | Flow::Velocity => " * spot.higher * spot.higher",
-        _ => " * spot.higher",
+        Flow::Observer(Observer::Static | Observer::Zamo) | Flow::AngularMomentum | Flow::AngularVelocity => {
+            " * spot.higher"
+        }
+        _ => " * spot.higher * spot.higher",
     }
 }
 
 fn orbiting(sense: &str) -> String {
-    format!("shift_of_rate(spot, law_turning(spot), law_orbiting(p.r * p.sine, {sense}))")
+    format!("shift_of_orbit(spot, p.r * p.sine, {sense})")
 }
 
 /// Generates the color of a picture's intensities.

@@ -18,6 +18,7 @@ mod ends;
 mod expressions;
 mod grid;
 mod images;
+mod intervals;
 mod laws;
 mod lights;
 mod lines;

@@ -64,19 +64,25 @@ fn law_orbiting(r: Real, sense: Real) -> Real {
     return sense * speed / (r * r + sense * dot(law.spin, frequency.axis) * speed);
 }
 
-// Returns the four-velocity of free fall from rest at infinity without angular momentum.
-fn law_infalling(x: Real3) -> Real4 {
+// Returns the four-velocity of matter of these constants E and L that falls with constant θ, not a number where it cannot be.
+fn law_falling(x: Real3, energy: Real, momentum: Real) -> Real4 {
     let arm = x - law.center;
     let a2 = dot(law.spin, law.spin);
+    let a = dot(law.spin, frequency.axis);
+    let around = cross(frequency.axis, arm);
     let spheroid = spheroid_of(arm, law.spin);
     let r = spheroid.x;
     let s = r * r + a2;
     let n = 2.0 * law.mass * r - law.charge_squared;
-    let cosine = spheroid.z / r;
     let sigma = 2.0 * spheroid.y;
-    let root = sqrt(s);
-    let pull = sqrt(select(not_a_number(), n, n >= 0.0));
-    let time = root * (s + root * pull + n) / (root + pull) - (a2 - cosine * cosine);
-    let velocity = (-root * pull) * kerr_schild(arm).l - (pull / (root + pull)) * cross(law.spin, arm);
-    return Real4(velocity, time) / sigma;
+    let sine2 = max(dot(around, around) / s, 1e-30);
+    let p = s * energy - a * momentum;
+    // (L − a E sin²θ)²/sin²θ + Σ
+    let k = momentum * (momentum / sine2 - 2.0 * a * energy) + a * energy * a * energy * sine2 + sigma;
+    let square = p * p - (s - n) * k;
+    let inwards = sqrt(select(not_a_number(), square, square >= 0.0));
+    let w = k / (p + inwards);
+    let turning = a * (w - energy) + momentum / sine2;
+    let time = p + n * w + a * (momentum - a * energy * sine2);
+    return Real4(turning * around - inwards * kerr_schild(arm).l, time) / sigma;
 }

@@ -52,9 +52,13 @@ fn law_turning(spot: Spot) -> Turning {
     return Turning(-clock, 0.0, own, -clock * own);
 }
 
-// Returns the four-velocity of free fall from rest at infinity.
-fn law_infalling(x: Real3) -> Real4 {
+// Returns the four-velocity of matter of these constants E and L that falls with constant θ, not a number where it cannot be.
+fn law_falling(x: Real3, energy: Real, momentum: Real) -> Real4 {
+    let arm = x - law.center;
     let clock = law_clock(x);
-    let speed = sqrt(select(not_a_number(), 1.0 - clock, clock <= 1.0));
-    return Real4(-speed * normalize(x - law.center), 1.0 / clock);
+    let around = cross(frequency.axis, arm);
+    let turning = momentum / max(dot(around, around), 1e-30);
+    let square = energy * energy - clock * (1.0 + momentum * turning);
+    let inwards = sqrt(select(not_a_number(), square, square >= 0.0));
+    return Real4(turning * around - inwards * normalize(arm), energy / clock);
 }

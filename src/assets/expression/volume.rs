@@ -51,8 +51,6 @@ pub struct VolumeTexts {
     pub temperature: Option<String>,
     /// The formulas of the motion: none, one, or three components.
     pub flow: Vec<String>,
-    /// The length over which the volume changes.
-    pub scale: Option<String>,
 }
 
 /// The text that contains an error.
@@ -74,8 +72,6 @@ pub enum VolumeField {
     Temperature,
     /// A formula of the motion.
     Flow(usize),
-    /// The length scale.
-    Scale,
 }
 
 /// The formulas of a volume.
@@ -91,8 +87,6 @@ pub struct VolumeFormulas {
     pub temperature: Option<Id>,
     /// The motion.
     pub flow: Vec<Id>,
-    /// The length scale.
-    pub scale: Option<Id>,
 }
 
 /// The emission and the absorption of one channel.
@@ -141,16 +135,15 @@ impl VolumeFormulas {
         let emission = all(&texts.emission, &ALL, VolumeField::Emission)?;
         let absorption = all(&texts.absorption, &ALL, VolumeField::Absorption)?;
         let flow = all(&texts.flow, &PLACE, VolumeField::Flow)?;
-        let mut one =
-            |text: &Option<String>, field| text.as_ref().map(|text| of(&mut reader, text, &PLACE, field)).transpose();
-        let temperature = one(&texts.temperature, VolumeField::Temperature)?;
-        let scale = one(&texts.scale, VolumeField::Scale)?;
+        let temperature = texts.temperature.as_ref();
+        let temperature =
+            temperature.map(|text| of(&mut reader, text, &PLACE, VolumeField::Temperature)).transpose()?;
         let channel = |all: &[Id], k: usize| all[k.min(all.len() - 1)];
         let channels = emission.len().max(absorption.len());
         let coefficients = (0..channels)
             .map(|k| Coefficients { emission: channel(&emission, k), absorption: channel(&absorption, k) })
             .collect();
-        Ok(Self { texts, graph: reader.graph, density, coefficients, temperature, flow, scale })
+        Ok(Self { texts, graph: reader.graph, density, coefficients, temperature, flow })
     }
 
     /// Returns the formulas as written.
@@ -182,6 +175,24 @@ impl VolumeFormulas {
         all.into_iter().any(|id| self.depends_on(id, Variable(3)))
     }
 
+    /// Returns `true` if the emission or the absorption depends on position or time.
+    #[must_use]
+    pub fn varies(&self) -> bool {
+        let channels = self.coefficients.iter().flat_map(|channel| [channel.emission, channel.absorption]);
+        let all: Vec<Id> = channels.chain([self.density]).chain(self.temperature).collect();
+        let is_place = |node| matches!(node, Node::Variable(Variable(index)) if index < 8);
+        self.graph.reached(&all).into_iter().any(|id| is_place(self.graph.node(id)))
+    }
+
+    /// Returns `true` if emission or absorption may have edges, beyond which there is none.
+    #[must_use]
+    pub fn has_edges(&self) -> bool {
+        let channels = self.coefficients.iter().flat_map(|channel| [channel.emission, channel.absorption]);
+        let all: Vec<Id> = channels.chain([self.density]).collect();
+        let is_edge = |node| matches!(node, Node::Min(..) | Node::Max(..) | Node::Call(Function::Abs, _));
+        self.graph.reached(&all).into_iter().any(|id| is_edge(self.graph.node(id)))
+    }
+
     /// Returns `true` if nothing absorbs light.
     #[must_use]
     pub fn is_clear(&self) -> bool {
@@ -192,9 +203,16 @@ impl VolumeFormulas {
         self.graph.reached(&[root]).iter().any(|id| self.graph.node(*id) == Node::Variable(variable))
     }
 
-    /// Returns p if a formula is proportional to νᵖ.
+    /// Returns the powers of ν to which the emission and the absorption are proportional.
     #[must_use]
-    pub fn exponent(&self, id: Id) -> Option<f64> {
+    pub fn exponents(&self) -> Option<[f64; 2]> {
+        let [channel] = self.coefficients[..] else { return None };
+        let is_black = self.temperature.is_some();
+        (!is_black).then(|| Some([self.exponent(channel.emission)?, self.exponent(channel.absorption)?]))?
+    }
+
+    /// Returns p if a formula is proportional to νᵖ.
+    fn exponent(&self, id: Id) -> Option<f64> {
         if !self.depends_on(id, NU) {
             return Some(0.0);
         }

@@ -38,6 +38,8 @@ pub enum Show {
 impl Radiation {
     /// The default tolerance.
     pub const TOLERANCE: f64 = 1e-4;
+    /// The tolerance of colors, of which an image shows 256 values.
+    pub const COLOR_TOLERANCE: f64 = 1e-3;
 
     /// Returns a frequency in hertz.
     #[must_use]

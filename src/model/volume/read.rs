@@ -34,7 +34,6 @@ pub(crate) fn reference() -> Vec<KeyReference> {
                 "motion of the matter, as an observer at each position, or a table with one of the keys below";
             parameters: "table of numbers" = "{}", "names for numbers in the formulas";
             terms: "table of formulas" = "{}", "names for formulas of position, each of which may use the ones before it";
-            resolution: "number or formula" = "none", "length over which the matter changes: no piece of a path is longer than half of it";
         }
         "volumes.flow" {
             angular_momentum: "number or formula" = "none", "l = -u_phi/u_t about the axis of the law";
@@ -92,7 +91,6 @@ fn volume(table: &TableReader, law: Option<&dyn Law>, with_frequencies: bool, fi
         node
     });
     let absorption = table.node("absorption");
-    let scale = table.node("resolution");
     let (flow, flows) = flow(table, law)?;
     let most = if with_frequencies { 1 } else { 3 };
     let each = |nodes: &[&Node]| nodes.iter().map(|node| formula(table, node)).collect::<Option<Vec<_>>>();
@@ -110,7 +108,6 @@ fn volume(table: &TableReader, law: Option<&dyn Law>, with_frequencies: bool, fi
         absorption: coefficients(table, &absorption_nodes)?,
         temperature: optional(temperature)?,
         flow: each(&flows)?,
-        scale: optional(scale)?,
     };
     let node_of = |field: VolumeField| match field {
         VolumeField::Parameter(k) => Some(parameters[k].1),
@@ -120,7 +117,6 @@ fn volume(table: &TableReader, law: Option<&dyn Law>, with_frequencies: bool, fi
         VolumeField::Absorption(k) => absorption_nodes.get(k).copied(),
         VolumeField::Temperature => temperature,
         VolumeField::Flow(k) => flows.get(k).copied(),
-        VolumeField::Scale => scale,
     };
     let fault = |field: VolumeField, place: Range<usize>, problem: String, help: String| match node_of(field) {
         Some(node) if matches!(node.value, Value::Text(_)) && !matches!(field, VolumeField::TermName(_)) => {

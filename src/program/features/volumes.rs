@@ -20,6 +20,10 @@ pub struct VolumeFeatures {
     pub keeps_depth: bool,
     /// Some volume absorbs light.
     pub absorbs_volumes: bool,
+    /// Pieces of paths are tested for matter that is too thin to meet their points.
+    pub bounds_matter: bool,
+    /// Matter may end at an edge between the points of a piece.
+    pub has_edges: bool,
     /// The motion of matter and of the camera changes the frequency of light.
     pub shifts_volumes: bool,
     /// Matter may shine down to a horizon.
@@ -49,6 +53,8 @@ impl VolumeFeatures {
             counts_transfer: transfers && (!is_spectral || scene.scatters()),
             keeps_depth: is_spectral && has_depths,
             absorbs_volumes: scene.volumes.iter().any(|volume| !volume.formulas.is_clear()),
+            bounds_matter: scene.volumes.iter().any(|volume| volume.formulas.varies()),
+            has_edges: scene.volumes.iter().any(|volume| volume.formulas.has_edges()),
             shifts_volumes,
             has_horizon: shifts_volumes && scene.horizon().is_some(),
             volumes_change: facts.changes_with_time || scene.volumes.iter().any(|volume| volume.formulas.changes()),

@@ -1,0 +1,74 @@
+//! The bounds of the matter in volumes along a piece of a path, as WGSL.
+
+use std::fmt::Write as _;
+
+use super::formula::body;
+use super::interval::Bounds;
+use crate::assets::{Id, Variable, VolumeFormulas};
+use crate::scene::Volume;
+
+/// The variables of emission and absorption other than coordinates, and their ranges.
+const OTHERS: [(Variable, &str); 2] = [(Variable(8), "density"), (Variable(9), "frequencies")];
+
+/// Returns the bounds of a volume's density, emission and absorption.
+pub(super) fn bounds(formulas: &VolumeFormulas) -> Bounds<'_> {
+    let channels = formulas.coefficients.iter().flat_map(|channel| [channel.emission, channel.absorption]);
+    let roots: Vec<Id> = channels.chain([formulas.density]).chain(formulas.temperature).collect();
+    Bounds::new(formulas.graph(), &roots, &OTHERS)
+}
+
+/// Generates the test whether a piece of a path may hide matter.
+pub(super) fn hides(volumes: &[Volume], channels: usize) -> String {
+    let mut text =
+        "fn matter_hides(within: u32, piece: TransferPiece, size: Real) -> bool {\n    var hides = false;\n".to_owned();
+    let mut functions = String::new();
+    for (v, formulas) in volumes.iter().map(|volume| &volume.formulas).enumerate().filter(|(_, own)| own.varies()) {
+        let bounds = bounds(formulas);
+        let count = bounds.leaves.len();
+        let ranges: Vec<_> = (0..count).map(|k| format!("seen_range({v}u, {k}u)")).collect();
+        let _ = writeln!(text, "    if (within & {}u) != 0u {{", 1_u32 << v);
+        let _ = writeln!(text, "        let ranges = array<Real2, {count}>({});", ranges.join(", "));
+        let _ = writeln!(text, "        let density = volume_density_range_{v}(ranges);");
+        let _ = writeln!(functions, "fn volume_density_range_{v}(ranges: array<Real2, {count}>) -> Real2 {{");
+        let (lines, values) = bounds.body(&[formulas.density]);
+        let _ = writeln!(functions, "{lines}    return max({}, Real2(0.0));\n}}\n", values.join(""));
+        for (c, channel) in formulas.coefficients.iter().enumerate() {
+            let (lines, values) = bounds.body(&[formulas.temperature.unwrap_or(channel.emission), channel.absorption]);
+            let [emission, absorption] = &values[..] else { continue };
+            let emission = match formulas.temperature {
+                Some(_) => format!("interval_product({emission}, {absorption})"),
+                None => emission.clone(),
+            };
+            let _ = writeln!(
+                functions,
+                "fn volume_most_{c}_{v}(ranges: array<Real2, {count}>, density: Real2, frequencies: Real2) -> Real2 {{\n\
+                 {lines}    return Real2({emission}.y, {absorption}.y);\n}}\n"
+            );
+            // Of powers of the frequency, only the factor is compared.
+            let frequencies = if formulas.exponents().is_some() {
+                "Real2(1.0)".to_owned()
+            } else {
+                format!("seen_frequencies({v}u)")
+            };
+            let _ = writeln!(text, "        let most_{c} = volume_most_{c}_{v}(ranges, density, {frequencies});");
+            let all = if formulas.coefficients.len() == 1 { 0..channels } else { c..c + 1 };
+            for k in all {
+                let _ =
+                    writeln!(text, "        hides = hides_light({v}u, {c}u, {k}u, most_{c}, piece, size) || hides;");
+            }
+        }
+        text += "    }\n";
+    }
+    functions + &text + "    return hides;\n}\n\n"
+}
+
+/// Generates the record of the values at a point from which the bounds along a piece follow.
+pub(super) fn recorded(v: usize, formulas: &VolumeFormulas) -> String {
+    let leaves: Vec<Id> = bounds(formulas).leaves.into_keys().collect();
+    let (lines, values) = body(formulas.graph(), &leaves, &VolumeFormulas::VARIABLES);
+    let mut text = format!("\nfn see_volume_{v}(p: MatterPlace) {{\n{lines}");
+    for (k, value) in values.iter().enumerate() {
+        let _ = writeln!(text, "    see_value({v}u, {k}u, {value});");
+    }
+    text + "}\n\n"
+}
