@@ -22,7 +22,7 @@ pub struct VolumeFeatures {
     pub absorbs_volumes: bool,
     /// Pieces of paths are tested for matter that is too thin to meet their points.
     pub bounds_matter: bool,
-    /// Matter may end at an edge between the points of a piece, which matters to intensities; colors do not show it.
+    /// Matter may end at an edge between the points of a piece, and the error counts. It is not counted for colors.
     pub has_edges: bool,
     /// The motion of matter and of the camera changes the frequency of light.
     pub shifts_volumes: bool,
