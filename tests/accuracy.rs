@@ -74,7 +74,7 @@ fn measured_errors_are_the_true_ones() {
     let (ends, _) = trace(&gpu, &scene, &RenderSettings::default(), &rays).unwrap();
     let truth = ReferenceSolution::new(&gpu, &scene, 1e-13, Starts::Given(&rays)).unwrap();
     assert_eq!(truth.unresolved(), 0);
-    let measured = ErrorStats::new(&ends, &truth).angle;
+    let measured = ErrorStats::new(&ends, &[], &truth).angle;
     let mut exact: Vec<f64> =
         ends.iter().zip(&impacts).map(|(end, b)| off(turned(end), 2.0 * (1.0 / b).atan())).collect();
     exact.sort_by(f64::total_cmp);
@@ -125,6 +125,31 @@ fn a_calibrated_scene_is_as_accurate_as_was_asked() {
     // A scene that specifies its method is not changed.
     let named = scene(&format!("{HOLE}method = \"rk4\"\n"));
     assert!(calibrate(&gpu, &named, &RenderSettings::default(), None).unwrap().is_none());
+}
+
+/// If a picture shows only intensities, their errors choose the method, however narrow its pixels are.
+#[test]
+fn a_picture_of_intensities_is_as_accurate_as_was_asked() {
+    let gpu = gpu();
+    let text = "[image]\nsize = [64, 48]\n[camera]\nposition = [0, -400, 200]\nup = [0, 0, 1]\nfov = 5\nobserver = \"static\"\n\
+                [law]\nkind = \"kerr-newman\"\nspin = 0.8\n[rays]\nbounding_sphere = { radius = 500 }\n[radiation]\n\
+                frequencies = [0.5, 1.0]\n[[volumes]]\nshape = \"sphere\"\nradius = 30\nflow = \"prograde-orbit\"\n\
+                density = \"exp(-((r - 9)/3)^2 - (z/2)^2)\"\nemission = \"n/nu\"\nabsorption = \"0.1*n*nu^-2.5\"\n";
+    let asked = scene(text);
+    let found = calibrate_for(&gpu, &asked, &RenderSettings::default(), 5000).unwrap().unwrap();
+    assert!(found.reached() && (found.accuracy / 1e-3 - 1.0).abs() < 1e-9, "{found}");
+    assert!(found.to_string().contains("of their light"), "{found}");
+    let verified = verify(&gpu, &found.applied(&asked), &RenderSettings::default(), 500).unwrap();
+    let light = verified.found.light.unwrap();
+    assert!(light.p99 < 2e-3 && light.median > 0.0, "{found}\n{verified}");
+    // An angle is still an angle.
+    let found = calibrate_for(
+        &gpu,
+        &scene(&text.replace("[radiation]", "accuracy = 1e-4\n[radiation]")),
+        &RenderSettings::default(),
+        5000,
+    );
+    assert!(found.unwrap().unwrap().to_string().contains(" rad, "));
 }
 
 /// A choice without a search is also correct, for laws that bend rays little or

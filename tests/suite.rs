@@ -60,6 +60,7 @@ mod transparency;
 mod travels;
 mod tree;
 mod vertex_colors;
+mod volume_colors;
 mod volumes;
 mod warp;
 mod worldlines;

@@ -188,7 +188,9 @@ impl Scene {
             errors.set_item(name, count)?;
         }
         errors.set_item("tolerance", tolerance)?;
-        for (name, quantiles) in [("angle_radians", found.angle), ("position", found.position), ("tau", found.tau)] {
+        let light = found.light.map(|light| ("intensity", light));
+        let all = [("angle_radians", found.angle), ("position", found.position), ("tau", found.tau)];
+        for (name, quantiles) in all.into_iter().chain(light) {
             let own = PyDict::new(py);
             own.set_item("median", quantiles.median)?;
             own.set_item("p99", quantiles.p99)?;

@@ -90,7 +90,7 @@ impl State {
             };
             scene.rays.clone_from(&chosen.rays);
             if chosen.compared {
-                settings.options.layers = compared_layers(layers);
+                settings.options.layers = compared_layers(scene, layers);
             }
         }
         Ok(settings)

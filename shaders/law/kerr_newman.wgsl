@@ -13,6 +13,8 @@ struct Law {
     spin: Real3,
     // The squared charge Q².
     charge_squared: Real,
+    // The direction of the axis, also without spin.
+    axis: Real3,
 }
 
 var<uniform> law: Law;

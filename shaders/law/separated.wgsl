@@ -46,8 +46,7 @@ fn orbit_calm() -> Real {
 
 // Returns axes of which the third is the spin axis.
 fn spin_axes() -> mat3x3<Real> {
-    let a = length(law.spin);
-    let e = select(law.spin / max(a, 1e-30), Real3(0.0, 0.0, 1.0), a == 0.0);
+    let e = law.axis;
     let side = select(Real(-1.0), 1.0, e.z >= 0.0);
     let k = -1.0 / (side + e.z);
     let both = e.x * e.y * k;

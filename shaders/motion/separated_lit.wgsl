@@ -1,8 +1,8 @@
 // Separated orbits through volumes: the steps of motion/separated_open, with the light of a stretch of several of them added at once. The
 // stretch is followed before its light, so that steps far from all volumes are followed together.
 
-// The angle of a stretch, in radians.
-const LIT_ARC: f32 = 0.3;
+// True if the path has ended, and adds no more light.
+var<private> follows_ended: bool;
 
 // A path from the start of its stretch: its size and the number of its steps.
 struct LitWalk {
@@ -51,6 +51,16 @@ fn lit_outside(a: Orbit, b: Orbit, s: Real) -> bool {
     return max(a.u, b.u) + 0.25 * s * max(a.w - b.w, 0.0) < transfer.edge;
 }
 
+// Follows a segment between two slots of the state, and stores its light.
+fn lit_segment(pixel: vec2u, ray: Ray) -> Ray {
+    load_throughput(pixel);
+    begin_transfer(pixel);
+    let next = lit_step(ray);
+    keep_transfer(pixel);
+    store_throughput(pixel);
+    return next;
+}
+
 // The loops are tested at their ends, because software drivers run the rest of a loop's body once more after a test at its start.
 fn lit_step(ray: Ray) -> Ray {
     var walk = lit_walk(ray);
@@ -70,17 +80,20 @@ fn lit_step(ray: Ray) -> Ray {
             }
             done = (walk.cuts > CUTS) | (walk.steps >= STEPS);
             continuing {
-                break if done | (f32(walk.within + 1u) * f32(control.eta) > LIT_ARC) & (walk.cuts == 0u);
+                break if done | (f32(walk.within + 1u) * f32(control.eta) > transfer.arc) & (walk.cuts == 0u);
             }
         }
-        if walk.seen && walk.size > 0.0 {
+        if walk.seen && walk.size > 0.0 && !follows_ended {
             transfer_step(stretch_between(mark, walk.here, walk.size, tau), 1.0);
         }
+        // The rest of a path with much light follows in another pass.
+        rejoin();
+        done = done | ((walk.cuts == 0u) & !has_room());
         continuing {
             break if done;
         }
     }
-    if (walk.cuts > CUTS) & walk.seen & (walk.here.w > 0.0) {
+    if (walk.cuts > CUTS) & walk.seen & (walk.here.w > 0.0) & !follows_ended {
         transfer_tail(stretch_from(walk.here, ray.tau + walk.passed), 0.0);
     }
     var next = after_step(ray, orbit_point(walk.here), walk.passed);

@@ -6,7 +6,11 @@ fn integrate(own: Invocation) {
     let ray = load_ray(spot.pixel, spot.word);
     var next = ray;
     if ray_wanted(spot.code) {
-        let segment = follow_segment(&next);
+        if TRANSFERS_ORBITS {
+            next = lit_segment(spot.pixel, ray);
+        } else {
+            let segment = follow_segment(&next);
+        }
     }
     finish_steps(spot, ray, next, own.lane);
 }

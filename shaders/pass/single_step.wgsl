@@ -6,7 +6,11 @@ fn single_step(own: Invocation) {
     let ray = load_ray(spot.pixel, spot.word);
     var next = ray;
     if ray_wanted(spot.code) && !path_over(ray) {
-        next = accepted_step(ray);
+        if TRANSFERS_ORBITS {
+            next = lit_segment(spot.pixel, ray);
+        } else {
+            next = accepted_step(ray);
+        }
     }
     finish_steps(spot, ray, next, own.lane);
 }

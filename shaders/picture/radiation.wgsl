@@ -4,6 +4,14 @@ var<storage, read_write> pixel_transfer: array<array<Real2, CHANNELS>>;
 var<storage, read_write> pixel_intensity: array<array<f32, CHANNELS>>;
 var<storage, read_write> pixel_optical_depth: array<array<f32, CHANNELS>>;
 
+// The depth from which errors are relative to it.
+const LEAST_DEPTH: Real = 1e-30;
+
+// Returns the light of the path before the current step that is not in `transferred`: none.
+fn earlier_light(k: u32) -> Real {
+    return 0.0;
+}
+
 fn load_transfer(pixel: vec2u) {
     let place = place_in_tile(pixel);
     for (var k = 0u; k < CHANNELS; k++) {

@@ -89,6 +89,8 @@ const UNFILTERED: u32 = 15u;
 const OVERRUN: u32 = 16u;
 // Also only counted: a path through matter that is negative, not a number or faster than light.
 const UNDEFINED: u32 = 17u;
+// Also only counted: a stretch of a path on which the light of volumes did not converge to the tolerance.
+const UNSETTLED: u32 = 18u;
 
 // Returns `true` if the path ended on a surface.
 fn ends_on_surface(code: u32) -> bool {

@@ -15,6 +15,9 @@ fn follow_segments(spot: ActiveRay, ray: ptr<function, Ray>, end: ptr<function, 
         if TRAVELS {
             note_segment(next.tau);
         }
+        if TRANSFERS_ORBITS {
+            follows_ended = (*ray).status != ALIVE;
+        }
         let segment = follow_segment(&next);
         let hit = first_hit(segment, nearby(segment), spot.pixel);
         if walk_suspended() || overran(*segments) {

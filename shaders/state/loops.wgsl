@@ -4,8 +4,9 @@
 // Such a device runs the lanes of a workgroup LOOP_LANES at a time, in step, and its limit applies to their joint execution: a lane that
 // waits for the loops of others also uses up the limit. So lanes count together, if their loops are long.
 
-// The iterations reserved for one more segment, and for the end of a path.
+// The iterations reserved for one more segment, also with the light of a stretch of an orbit, and for the end of a path.
 const SEGMENT_ROOM: u32 = 5500u;
+const LIT_ROOM: u32 = 20000u;
 const END_ROOM: u32 = 2000u;
 // The largest count that a lane does not share, because locked operations are slow. The joint execution may have LOOP_LANES times as many
 // iterations more than a lane has counted.
@@ -30,7 +31,7 @@ fn has_room() -> bool {
     if !COUNTS_LOOPS {
         return true;
     }
-    return work < COUNTED_BUDGET - SEGMENT_ROOM;
+    return work < COUNTED_BUDGET - select(SEGMENT_ROOM, LIT_ROOM, TRANSFERS_ORBITS);
 }
 
 // Returns `true` if there is room for this many iterations, or if no later pass has more.

@@ -2,10 +2,12 @@
 // functions in the formulas of emission and absorption, and these ranges bound both.
 
 struct MatterSeen {
+    // The number of points.
+    points: u32,
     // The least and the greatest values of the smooth functions.
     low: array<Real, SMOOTH_FUNCTIONS>,
     high: array<Real, SMOOTH_FUNCTIONS>,
-    // The range of the frequency to the matter.
+    // The range of the frequency to the matter; 0 if there is none.
     frequency: Real2,
     // The largest emission and absorption of each coefficient.
     most: array<Real2, COEFFICIENTS>,
@@ -25,31 +27,28 @@ const HIDDEN_LEAST: Real = 1e-30;
 const SEEN_MARGIN: Real = 0.15;
 
 fn begin_bounds() {
-    for (var v = 0u; v < VOLUMES; v++) {
-        step_most[v] = Real2(0.0);
-    }
+    step_most = array<Real2, VOLUMES>();
 }
 
+// Begins with no points.
 fn begin_seen() {
-    for (var v = 0u; v < VOLUMES; v++) {
-        for (var i = 0u; i < SMOOTH_FUNCTIONS; i++) {
-            seen[v].low[i] = 1e30;
-            seen[v].high[i] = -1e30;
-        }
-        seen[v].frequency = Real2(UNBOUNDED, 0.0);
-        for (var c = 0u; c < COEFFICIENTS; c++) {
-            seen[v].most[c] = Real2(0.0);
-        }
-    }
+    seen = array<MatterSeen, VOLUMES>();
 }
 
 fn see_value(v: u32, i: u32, value: Real) {
-    seen[v].low[i] = min(seen[v].low[i], value);
-    seen[v].high[i] = max(seen[v].high[i], value);
+    let is_first = seen[v].points == 0u;
+    seen[v].low[i] = select(min(seen[v].low[i], value), value, is_first);
+    seen[v].high[i] = select(max(seen[v].high[i], value), value, is_first);
+}
+
+// Ends the record of a point.
+fn see_point(v: u32) {
+    seen[v].points += 1u;
 }
 
 fn see_frequency(v: u32, nu: Real) {
-    seen[v].frequency = Real2(min(seen[v].frequency.x, nu), max(seen[v].frequency.y, nu));
+    let before = seen[v].frequency;
+    seen[v].frequency = Real2(select(min(before.x, nu), nu, before.y == 0.0), max(before.y, nu));
 }
 
 fn see_matter(v: u32, c: u32, matter: Real2) {
@@ -67,14 +66,14 @@ fn seen_range(v: u32, i: u32) -> Real2 {
 fn seen_frequencies(v: u32) -> Real2 {
     let nu = seen[v].frequency;
     let margin = SEEN_MARGIN * (nu.y - nu.x);
-    return select(Real2(max(nu.x - margin, 0.5 * nu.x), nu.y + margin), Real2(1e-9, 1e9), nu.x > nu.y);
+    return select(Real2(max(nu.x - margin, 0.5 * nu.x), nu.y + margin), Real2(1e-9, 1e9), nu.y == 0.0);
 }
 
 // Returns `true` if a piece may hide light of a channel, of whose coefficient `most` is the largest possible emission and absorption.
 fn hides_light(v: u32, c: u32, k: u32, most: Real2, piece: TransferPiece, size: Real) -> bool {
     let at = seen[v].most[c];
-    let allowed = Real(transfer.tolerance) * light_that_counts(k, piece);
-    let added = Real2(piece.added.light[k], transfer_exp(transferred.depth[k]) * piece.added.depth[k]);
+    let allowed = Real(transfer.tolerance) * light_that_counts(k, piece.added);
+    let added = Real2(piece.added.light[k], depth_weight(k) * piece.added.depth[k]);
     let counts = (at < 1e-20 * most) | (added * most > allowed * at);
     let is_seen = size * most <= HIDDEN_PART * step_most[v] + Real2(HIDDEN_LEAST);
     return any(counts & (most > HIDDEN_FACTOR * at) & !is_seen);

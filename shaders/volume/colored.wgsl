@@ -1,4 +1,16 @@
-// The light of volumes in color: it is added to the light of the path after each step, and their absorption to its throughput.
+// The light of volumes in color: it is added to the light of the path after each step, or after several of an orbit, and their absorption to
+// its throughput.
+
+// The depth from which errors are relative to it: only light behind shows it.
+const LEAST_DEPTH: Real = 1.0;
+
+// Light below this, in units of white, is not seen.
+const LEAST_LIGHT: f32 = 1e-4;
+
+// Returns the light of the path before the current step, in the units of the step's light.
+fn earlier_light(k: u32) -> Real {
+    return Real((carried.gathered[k] + LEAST_LIGHT) / max(carried.share * carried.camera * carried.throughput[k], 1e-30));
+}
 
 fn load_transfer(pixel: vec2u) {
     transferred = Light();
@@ -8,6 +20,7 @@ fn store_transfer(pixel: vec2u) {
 }
 
 fn add_step() {
+    note_doubts();
     let light = vec3f(f32(transferred.light[0]), f32(transferred.light[1]), f32(transferred.light[2]));
     let depth = vec3f(f32(transferred.depth[0]), f32(transferred.depth[1]), f32(transferred.depth[2]));
     if glow_counts {
@@ -18,7 +31,10 @@ fn add_step() {
 }
 
 fn fail_transfer() {
-    tally_at_once(UNDEFINED);
+    // A path counts once.
+    if any(carried.throughput > vec3f(0.0)) {
+        tally_at_once(UNDEFINED);
+    }
     carried.throughput = vec3f(0.0);
     carried.gathered = vec3f(0.0);
 }

@@ -31,6 +31,7 @@ fn begin_transfer(pixel: vec2u) {
     load_transfer(pixel);
     transfer_invalid = false;
     transfer_unsettled = false;
+    transfer_doubts = array<Real2, CHANNELS>();
 }
 
 fn transfer_passed(ray: Ray, next: Ray) {
@@ -82,8 +83,16 @@ fn transfer_segment(spot: ActiveRay, lives: bool) {
 
 // Stores the light so far. Light that is not defined is lost, and so are the path's earlier pieces: the ray shows nothing.
 fn keep_transfer(pixel: vec2u) {
+    if IS_SPECTRAL {
+        note_doubts();
+    } else {
+        if TRANSFERS_ORBITS {
+            note_glow();
+        }
+        add_step();
+    }
     if transfer_unsettled {
-        tally_at_once(UNFILTERED);
+        tally_at_once(UNSETTLED);
     }
     if transfer_invalid {
         fail_transfer();

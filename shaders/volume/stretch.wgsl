@@ -30,6 +30,13 @@ fn stretch_place(step: Stretch, f: Real) -> Real3 {
     return stretch_phase(step, f)[0].xyz;
 }
 
+// Returns the length of a step, and the largest coordinates along it.
+fn stretch_extent(step: Stretch, until: Real) -> Real2 {
+    let start = step.start[0].xyz;
+    let end = stretch_place(step, until);
+    return Real2(distance(start, end), max(length(start), length(end)));
+}
+
 // Returns the decrease of the radius per unit of the step's fraction.
 fn stretch_fall(step: Stretch, f: Real) -> Real {
     let p = stretch_phase(step, f);

@@ -56,6 +56,19 @@ fn stretch_reach(step: Stretch, f: Real) -> Real {
     return sqrt(r * r + dot(law.spin, law.spin) * dot(here.n.xy, here.n.xy));
 }
 
+// Returns 1/r and its slope by the fraction of the stretch.
+fn stretch_rise(step: Stretch, f: Real) -> Real2 {
+    let here = stretch_orbit(step, f);
+    return Real2(here.u, step.s * here.w);
+}
+
+// Returns about the length of a stretch, and its distance from the center, to which rounding is relative.
+fn stretch_extent(step: Stretch, until: Real) -> Real2 {
+    let r = 1.0 / step.start.u;
+    let turn = r * step.start.w;
+    return Real2(step.s * r * sqrt(dot(step.start.t, step.start.t) + turn * turn), r);
+}
+
 // Returns the decrease of the radius per unit of the stretch's fraction.
 fn stretch_fall(step: Stretch, f: Real) -> Real {
     let here = stretch_orbit(step, f);
@@ -77,6 +90,10 @@ fn stretch_spot(step: Stretch, f: Real) -> Spot {
     if VOLUMES_CHANGE {
         spot.tau = step.tau + orbit_time(step.start, here, f * step.s);
         spot.time = Real(transfer.time) - spot.tau;
+    }
+    if !SHIFTS_VOLUMES {
+        spot.pace = step.s * orbit_pace(here, here.u, here.n.z, here.gap) * length(point[1]);
+        return spot;
     }
     spot.energy = ray_kept.x;
     spot.turning = ray_kept.y;

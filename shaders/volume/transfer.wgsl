@@ -14,8 +14,8 @@ struct Transfer {
     tolerance: f32,
     // The inverse of the distance from the center of the law within which there are volumes; 0 if they are everywhere.
     edge: Real,
-    // The light that is too faint to count.
-    floor: f32,
+    // The angle, in radians, over which orbits are interpolated.
+    arc: f32,
     // The coordinate time at the camera.
     time: f32,
     // The light that is white in pictures.
@@ -47,6 +47,8 @@ var<private> transferred: Light;
 // True where matter cannot be as its formulas state: negative, not a number, or faster than light.
 var<private> transfer_invalid: bool;
 var<private> transfer_unsettled: bool;
+// The errors of the light and of the depth by pieces that could not be cut further.
+var<private> transfer_doubts: array<Real2, CHANNELS>;
 
 // The Gauss points of half a piece, the rule that runs up to each of them, and the whole rule.
 const GAUSS_POINTS: Real3 = Real3(0.1127016653792583, 0.5, 0.8872983346207417);
@@ -59,8 +61,10 @@ const GAUSS_WEIGHTS: Real3 = Real3(0.2777777777777778, 0.4444444444444444, 0.277
 const NULL_QUARTIC: Real3 = Real3(0.0297155667, -0.1721331889, 0.5297172973);
 const NULL_CUBIC: Real3 = Real3(0.1361496700, -0.4444444444, 0.3082947744);
 const NULL_LINEAR: Real3 = Real3(0.2777777778, 0.0, -0.2777777778);
-// After this number of pieces of a step, none is cut for its error; and the least size of one, in rounding errors of positions.
-const TRANSFER_PIECES: u32 = 1024u;
+// After this number of pieces of a part, the allowed error of each grows, because rounding may not allow less; and then none is cut.
+const MANY_PIECES: u32 = 256u;
+const TRANSFER_PIECES: u32 = 768u;
+// The least size of a piece, in rounding errors of positions.
 const LEAST_PIECE: Real = 24.0;
 // The part of that down to which surfaces of volumes are looked for.
 const REGION_PART: Real = 0.1;
@@ -69,9 +73,10 @@ const OPAQUE: Real = 80.0;
 // The optical depth of half a piece from which its source function is taken as linear.
 const THICK: Real = 1.0;
 
-// The light that a piece adds, as the camera sees it, its depth, and the largest error of both in units of those that count.
+// The light that a piece adds, as the camera sees it, and its depth; their errors, and the largest of these in units of those that count.
 struct TransferPiece {
     added: Light,
+    errors: array<Real2, CHANNELS>,
     error: Real,
 }
 
@@ -86,48 +91,61 @@ fn null_error(nulls: Real3) -> Real {
     return c * min(1.0, c / max(abs(nulls.z), 1e-30));
 }
 
-// Returns the light and the depth at the end of a piece to which its errors are relative.
-fn light_that_counts(k: u32, piece: TransferPiece) -> Real2 {
-    let light = transferred.light[k] + piece.added.light[k] + Real(transfer.floor);
-    return Real2(light, clamp(transferred.depth[k] + piece.added.depth[k], 1e-30, 1.0));
+// Returns the light and the depth so far to which errors are relative.
+fn light_that_counts(k: u32, added: Light) -> Real2 {
+    let light = earlier_light(k) + transferred.light[k] + added.light[k] + 1e-30;
+    return Real2(light, clamp(transferred.depth[k] + added.depth[k], LEAST_DEPTH, select(Real(1.0), 1e30, KEEPS_DEPTH)));
+}
+
+// Returns the weight of the errors of depths: that of the light behind, unless they are results.
+fn depth_weight(k: u32) -> Real {
+    return select(transfer_exp(transferred.depth[k]), 1.0, KEEPS_DEPTH);
+}
+
+// Notes whether the light so far is less accurate than it should be.
+fn note_doubts() {
+    for (var k = 0u; k < CHANNELS; k++) {
+        let allowed = Real(transfer.tolerance) * light_that_counts(k, Light());
+        transfer_unsettled = transfer_unsettled || any(transfer_doubts[k] > allowed);
+        transfer_doubts[k] = Real2(0.0);
+    }
 }
 
 // The part of a piece beyond its first and its last point.
 const BEYOND_POINTS: Real = 0.0563508327;
 
-// Returns the error of a piece by edges of matter between its ends and the points next to them, `outer`.
-fn edge_error(step: Stretch, within: u32, start: Real, size: Real, outer: array<Matter, 2>, piece: TransferPiece) -> Real {
-    let a = matter_at(step, within, start);
-    let b = matter_at(step, within, start + size);
-    var error: Real = 0.0;
-    for (var k = 0u; k < CHANNELS; k++) {
-        let one = edge_of(Real2(outer[0].emission[k], outer[0].absorption[k]), Real2(a.emission[k], a.absorption[k]));
-        let two = edge_of(Real2(outer[1].emission[k], outer[1].absorption[k]), Real2(b.emission[k], b.absorption[k]));
-        let depth = transferred.depth[k];
-        let seen = transfer_exp(depth) * one + transfer_exp(depth + piece.added.depth[k]) * two;
-        let beyond = BEYOND_POINTS * size * seen / light_that_counts(k, piece);
-        error = max(error, max(beyond.x, beyond.y));
-    }
-    return error;
+// Returns the errors of a piece by edges of matter between its ends and the points next to them, `outer`.
+fn edge_error(k: u32, added: Light, size: Real, ends: array<Matter, 2>, outer: array<Matter, 2>) -> Real2 {
+    let depth = transferred.depth[k];
+    let first = transfer_exp(depth) * edge_of(ends[0], outer[0], k);
+    return BEYOND_POINTS * size * (first + transfer_exp(depth + added.depth[k]) * edge_of(ends[1], outer[1], k));
 }
 
-// Returns the sum if one of both is 0.
-fn edge_of(a: Real2, b: Real2) -> Real2 {
+// Returns the sum of both if one of them is 0.
+fn edge_of(one: Matter, two: Matter, k: u32) -> Real2 {
+    let a = Real2(one.emission[k], one.absorption[k]);
+    let b = Real2(two.emission[k], two.absorption[k]);
     return select(Real2(0.0), a + b, min(a, b) <= Real2(0.0));
 }
 
 // Returns a piece of a step between two fractions of it. `within` marks the volumes that contain it.
 fn transfer_piece(step: Stretch, within: u32, start: Real, size: Real) -> TransferPiece {
-    var piece = TransferPiece(Light(), 0.0);
+    var piece: TransferPiece;
     // Sums that vanish for smooth functions, of the light and of the depth.
     var nulls: array<Real3, CHANNELS>;
     var depth_nulls: array<Real3, CHANNELS>;
     var rough: array<Real, CHANNELS>;
     let h = 0.5 * size;
+    var ends: array<Matter, 2>;
+    var outer: array<Matter, 2>;
+    if HAS_EDGES {
+        ends[0] = matter_at(step, within, start);
+        ends[1] = matter_at(step, within, start + size);
+    }
+    // The ends do not count as points at which matter is seen, because the sums do not contain them.
     if BOUNDS_MATTER {
         begin_seen();
     }
-    var outer: array<Matter, 2>;
     var half = 0u;
     loop {
         let a = start + Real(half) * h;
@@ -178,15 +196,16 @@ fn transfer_piece(step: Stretch, within: u32, start: Real, size: Real) -> Transf
             break if half == 2u;
         }
     }
-    if HAS_EDGES {
-        piece.error = edge_error(step, within, start, size, outer, piece);
-    }
     for (var k = 0u; k < CHANNELS; k++) {
-        let counts = light_that_counts(k, piece);
-        piece.error = max(piece.error, (null_error(nulls[k]) + rough[k]) / counts.x);
+        piece.errors[k].x = null_error(nulls[k]) + rough[k];
         if ABSORBS_VOLUMES {
-            piece.error = max(piece.error, transfer_exp(transferred.depth[k]) * null_error(depth_nulls[k]) / counts.y);
+            piece.errors[k].y = depth_weight(k) * null_error(depth_nulls[k]);
         }
+        if HAS_EDGES {
+            piece.errors[k] += edge_error(k, piece.added, size, ends, outer);
+        }
+        let relative = piece.errors[k] / light_that_counts(k, piece.added);
+        piece.error = max(piece.error, max(relative.x, relative.y));
     }
     return piece;
 }
@@ -195,6 +214,14 @@ fn add_piece(piece: TransferPiece) {
     for (var k = 0u; k < CHANNELS; k++) {
         transferred.light[k] += piece.added.light[k];
         transferred.depth[k] += piece.added.depth[k];
+    }
+}
+
+// Notes a piece that could not be cut further; after too many, all of its light is in doubt.
+fn doubt_piece(piece: TransferPiece, is_tired: bool) {
+    for (var k = 0u; k < CHANNELS; k++) {
+        let all = light_that_counts(k, Light());
+        transfer_doubts[k] += select(piece.errors[k], all, is_tired);
     }
 }
 
@@ -214,14 +241,12 @@ const TRANSFER_END: Real = 24.0;
 
 // Returns the size of the shortest pieces, to whose light the rounding of positions adds a few percent.
 fn transfer_shortest(step: Stretch, until: Real) -> Real {
-    let start = stretch_place(step, 0.0);
-    let end = stretch_place(step, until);
-    let span = max(length(end - start), 1e-30);
-    return LEAST_PIECE * LAST_PART * until * max(1.0, max(length(start), length(end)) / span);
+    let extent = stretch_extent(step, until);
+    return LEAST_PIECE * LAST_PART * until * max(1.0, extent.y / max(extent.x, 1e-30));
 }
 
-// Adds the light of a step from its start to the fraction `until`. The loop is tested at its end, because software drivers run the rest of
-// a loop's body once more after a test at its start.
+// Adds the light of a step from its start to the fraction `until`: of one part after another that is in the same volumes. Loops are tested
+// at their ends, because software drivers run the rest of a loop's body once more after a test at its start.
 fn transfer_step(step: Stretch, until: Real) {
     var a: Real = 0.0;
     var size = until;
@@ -230,11 +255,8 @@ fn transfer_step(step: Stretch, until: Real) {
         begin_bounds();
     }
     let shortest = transfer_shortest(step, until);
-    var pieces = 0u;
     loop {
-        let is_tired = pieces > TRANSFER_PIECES;
-        let rest = until - a;
-        var end = select(a + size, until, size > 0.9999 * rest || is_spent());
+        var end = select(a + size, until, size > 0.9999 * (until - a) || is_spent());
         var at = region_place(step, end);
         let cut = region_cut(step, place, at, a, end);
         if cut.until < end {
@@ -242,25 +264,11 @@ fn transfer_step(step: Stretch, until: Real) {
             at = region_behind(step, cut);
         }
         let own = end - a;
-        let least = own <= shortest || is_tired || is_spent();
-        var shortens = cut.unclear && (!least || own > REGION_PART * shortest) && !is_spent();
-        var error: Real = 0.0;
-        if cut.within != 0u && !shortens && transfer_lasts() {
-            pieces += 1u;
-            let piece = transfer_piece(step, cut.within, a, own);
-            error = piece.error;
-            var agrees = error <= Real(transfer.tolerance);
-            if BOUNDS_MATTER {
-                agrees = agrees && !matter_hides(cut.within, piece, own);
-            }
-            shortens = !agrees && !least;
-            transfer_unsettled = transfer_unsettled || (!agrees && is_tired);
-            if !shortens {
-                add_piece(piece);
-            }
+        let shortens = cut.unclear && own > REGION_PART * shortest && !is_spent();
+        if cut.within != 0u && !shortens {
+            transfer_part(step, cut.within, a, end, shortest);
         }
-        let easy = select(Real(1.0), Real(2.0), is_tired || 16.0 * error < Real(transfer.tolerance));
-        let onward = max(size, select(easy, 8.0, cut.within == 0u) * own);
+        let onward = max(size, select(Real(2.0), 8.0, cut.within == 0u) * own);
         size = select(onward, 0.5 * own, shortens);
         if !shortens {
             a = end;
@@ -268,6 +276,39 @@ fn transfer_step(step: Stretch, until: Real) {
         }
         continuing {
             break if a >= until;
+        }
+    }
+}
+
+// Adds the light of a part of a step, piece by piece; `within` marks the volumes that contain it. A piece that is as short as one can be, or
+// that follows too many others, counts whether its error is small or not.
+fn transfer_part(step: Stretch, within: u32, start: Real, end: Real, shortest: Real) {
+    var a = start;
+    var size = end - start;
+    var pieces = 0u;
+    loop {
+        let is_last = size > 0.9999 * (end - a) || is_spent();
+        let own = select(size, end - a, is_last);
+        let is_tired = pieces > TRANSFER_PIECES || is_spent();
+        let piece = transfer_piece(step, within, a, own);
+        let allowed = Real(transfer.tolerance) * Real(exp2(f32(max(pieces, MANY_PIECES) - MANY_PIECES) / 32.0));
+        var agrees = piece.error <= allowed;
+        if BOUNDS_MATTER {
+            agrees = agrees && !matter_hides(within, piece, own);
+        }
+        let is_final = agrees || own <= shortest || is_tired;
+        if is_final {
+            add_piece(piece);
+            if !agrees || pieces > MANY_PIECES {
+                doubt_piece(piece, is_tired && !agrees);
+            }
+            a = select(a + own, end, is_last);
+        }
+        pieces += select(0u, 1u, is_final);
+        let easy = is_tired || 16.0 * piece.error < allowed;
+        size = select(0.5 * own, max(size, select(Real(1.0), 2.0, easy) * own), is_final);
+        continuing {
+            break if a >= end || !transfer_lasts();
         }
     }
 }

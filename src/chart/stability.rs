@@ -103,7 +103,7 @@ impl<'a> StabilityCase<'a> {
         };
         let runs = [follow(settings[0])?, follow(settings[1])?, follow(settings[2])?];
         let mut found = Outcome { place: self.name.clone(), method: candidate.name, ..Outcome::default() };
-        for (i, truth) in self.truth.0.iter().enumerate() {
+        for (i, truth) in self.truth.ends.iter().enumerate() {
             let keeps = settings[0].kind.keeps_errors;
             let ends = [&runs[0][i], &runs[1][i], &runs[2][i]];
             *self.verdict(&mut found, ends, truth.whole(), keeps) += 1;

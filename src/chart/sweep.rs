@@ -177,7 +177,7 @@ impl Sweep<'_> {
             points.push(Point {
                 words: method_words(candidate.method, control),
                 setting: (control.kind.setting)(&control),
-                found: ErrorStats::new(&rays, truth),
+                found: ErrorStats::new(&rays, few.spectra(), truth),
                 time,
                 spread: measured.spread,
                 evaluations: evaluations(candidate.method, control, steps, rejected),
@@ -210,7 +210,7 @@ fn timed(renderer: &mut Renderer, repeats: usize) -> Result<Measured, RenderErro
 
 /// Returns the drift relative to the constants at the true end, which equal those at the start.
 fn drifts(scene: &Scene, rays: &[Traced], truth: &ReferenceSolution) -> Vec<(&'static str, f64)> {
-    let pairs = rays.iter().zip(&truth.0).filter_map(|(ray, truth)| {
+    let pairs = rays.iter().zip(&truth.ends).filter_map(|(ray, truth)| {
         let truth = truth.whole().filter(|truth| truth.status == ray.status)?;
         Some(([truth.x.into(), truth.v.into()], ray))
     });

@@ -42,7 +42,7 @@ pub(super) fn settle<'a>(
     if let Some((scene, kept)) = known {
         tell_choice(&kept.said, kept.warning.as_deref());
         if kept.compared_layers {
-            settings.options.layers = compared_layers(&settings.options.layers);
+            settings.options.layers = compared_layers(&scene, &settings.options.layers);
         }
         return Ok(Settled { scene, settings, renderer: None, light_tracer: None });
     }

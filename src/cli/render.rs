@@ -282,7 +282,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
         before.check_origin(&film, &gpu, &still)?;
     }
     launch.count(StartPart::Device);
-    let kept = arguments.kept(&layers, before);
+    let kept = arguments.kept(&still, &layers, before);
     let settings = RenderSettings { memory: arguments.memory, ..arguments.device.settings(kept) };
     let rate = still.animation.as_ref().map(|animation| animation.rate);
     let again = arguments.again(still.rays.auto.is_some() || before.is_some(), targets[0]);
@@ -358,9 +358,16 @@ pub(super) fn warn(totals: &Totals) {
     }
     if totals.unfiltered > 0 {
         tell!(
-            "warning: absorption did not converge to absorption.tolerance, or the light of volumes to radiation.tolerance, or \
-             its formula left [0, 1], on {} path segments: raise the tolerance, or correct the formula",
+            "warning: absorption did not converge to absorption.tolerance, or its formula left [0, 1], on {} path segments: raise \
+             the tolerance, or correct the formula",
             totals.unfiltered
+        );
+    }
+    if totals.unsettled > 0 {
+        tell!(
+            "warning: the light of volumes did not converge to radiation.tolerance (0.001 for colors) on {} path segments, whose \
+             errors are larger: raise the tolerance, use --precision f64, or smooth the edges of the matter",
+            totals.unsettled
         );
     }
     if totals.overrun > 0 {

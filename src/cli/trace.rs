@@ -20,6 +20,7 @@ use super::{of_scene, paths};
 use crate::error::Error;
 use crate::gpu::Gpu;
 use crate::measure::{Curve, Jacobian, OpticalPath, drift, jacobians, optical_paths, refuses_optical_paths};
+use crate::model::Radiation;
 use crate::output::csv::read_rays;
 use crate::output::plot::check_plot;
 use crate::output::table::Table;
@@ -93,11 +94,8 @@ fn parse_pixel(text: &str) -> Result<[u32; 2], String> {
     parsed().ok_or_else(|| format!("expected a pixel as COLUMN,ROW, such as 320,240, found `{text}`"))
 }
 
-pub(super) fn run(arguments: &Arguments) -> Result<(), Error> {
-    arguments.device.check()?;
-    let opening = arguments.device.open();
-    let film = Film::new(&arguments.scene, arguments.changes.overrides()?).on(arguments.device.name());
-    let scene = film.load(None)?;
+/// Checks that the scene can give the results of the arguments.
+fn check(arguments: &Arguments, scene: &Scene) -> Result<(), Error> {
     if arguments.drift && scene.rays.sky_at_infinity {
         return Err(usage!("--drift cannot be combined with rays.sky_at_infinity, because rays then end at infinity"));
     }
@@ -107,13 +105,22 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Error> {
     if scene.radiation.is_none() && arguments.intensities {
         return Err(of_scene(&arguments.scene, "--intensities requires [radiation] with frequencies".to_owned()));
     }
-    if let Some(problem) = refuses_optical_paths(&scene).filter(|_| arguments.optical_path) {
+    if let Some(problem) = refuses_optical_paths(scene).filter(|_| arguments.optical_path) {
         return Err(of_scene(&arguments.scene, problem));
     }
     if let Some([x, y]) = arguments.pixel.iter().find(|[x, y]| *x >= scene.image.size[0] || *y >= scene.image.size[1]) {
         let [width, height] = scene.image.size;
         return Err(usage!("pixel {x},{y} is outside the image of {width}x{height} pixels"));
     }
+    Ok(())
+}
+
+pub(super) fn run(arguments: &Arguments) -> Result<(), Error> {
+    arguments.device.check()?;
+    let opening = arguments.device.open();
+    let film = Film::new(&arguments.scene, arguments.changes.overrides()?).on(arguments.device.name());
+    let scene = film.load(None)?;
+    check(arguments, &scene)?;
     let mut inputs = film.inputs();
     inputs.extend(arguments.rays.clone().map(|rays| (rays, "the file of rays")));
     paths::check(arguments.output.iter().chain(&arguments.plot).map(PathBuf::as_path), &inputs)?;
@@ -137,8 +144,11 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Error> {
     let rays = &starts.rays;
     let Settled { scene, settings, .. } =
         settle(&gpu, (&film, None), scene, settings, Rays::Given(rays), &mut StartUp::default())?;
+    let all = (&starts, arguments.pixel.as_slice());
     if let Some(table) = table.as_mut().filter(|_| arguments.crossings) {
-        write_crossings(&gpu, &scene, &settings, (&starts, &arguments.pixel), table)?;
+        let mut settings = settings.clone();
+        settings.options.layers = vec![Layer::CrossingRadius];
+        follow(&gpu, &scene, &settings, all, |first, _, tracer| write_crossings(first, tracer, table))?;
     }
     if let Some(table) = table.as_mut().filter(|_| arguments.jacobian) {
         let (ends, totals) = jacobians(&gpu, &scene, &settings, rays)?;
@@ -156,8 +166,10 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Error> {
         }
         warn(&totals);
     }
-    if let Some(table) = table.as_mut().filter(|_| arguments.intensities) {
-        write_intensities(&gpu, &scene, &settings, (&starts, &arguments.pixel), table)?;
+    let radiation = scene.radiation.as_ref().filter(|_| arguments.intensities);
+    if let Some((table, radiation)) = table.as_mut().zip(radiation) {
+        let write = |first, ends: &[Traced], tracer: &Tracer| write_intensities(radiation, first, ends, tracer, table);
+        follow(&gpu, &scene, &settings, all, write)?;
     }
     let others =
         [arguments.path, arguments.crossings, arguments.jacobian, arguments.optical_path, arguments.intensities];
@@ -236,15 +248,14 @@ impl Starts {
 /// The number of pixels in a row of the list.
 const PIXELS_A_ROW: u32 = 1024;
 
-/// Writes the light of given rays and of the camera's rays, which come last.
-fn write_intensities(
+/// Follows the given rays and the camera's rays, which come last; `write` gets the index of the first ray of each part.
+fn follow(
     gpu: &Gpu,
     scene: &Scene,
     settings: &RenderSettings,
     (starts, pixels): (&Starts, &[[u32; 2]]),
-    table: &mut Table,
+    mut write: impl FnMut(usize, &[Traced], &Tracer) -> Result<(), Error>,
 ) -> Result<(), Error> {
-    let Some(radiation) = &scene.radiation else { return Ok(()) };
     let given = &starts.rays[..starts.rays.len() - pixels.len()];
     let parts =
         [(render::Starts::Given(given), given.len()), (render::Starts::Pixels(pixels, PIXELS_A_ROW), pixels.len())];
@@ -252,12 +263,7 @@ fn write_intensities(
     for (part, count) in parts.into_iter().filter(|(_, count)| *count > 0) {
         let mut tracer = Tracer::new(gpu, scene, settings.clone(), part.mode())?;
         let (ends, totals) = tracer.follow(part)?;
-        for (ray, (end, spectrum)) in (first..).zip(ends.iter().zip(tracer.spectra())) {
-            for (k, light) in spectrum.iter().enumerate() {
-                let frequency = radiation.hertz(k).unwrap_or(radiation.frequencies[k]);
-                table.write(&(ray, end, frequency, *light))?;
-            }
-        }
+        write(first, &ends, &tracer)?;
         first += count;
         tell!("{totals}");
         warn(&totals);
@@ -265,31 +271,29 @@ fn write_intensities(
     Ok(())
 }
 
-/// Writes the crossings of given rays and of the camera's rays, which come last.
-fn write_crossings(
-    gpu: &Gpu,
-    scene: &Scene,
-    settings: &RenderSettings,
-    (starts, pixels): (&Starts, &[[u32; 2]]),
+/// Writes the light of each ray at each frequency.
+fn write_intensities(
+    radiation: &Radiation,
+    first: usize,
+    ends: &[Traced],
+    tracer: &Tracer,
     table: &mut Table,
 ) -> Result<(), Error> {
-    let mut settings = settings.clone();
-    settings.options.layers = vec![Layer::CrossingRadius];
-    let given = &starts.rays[..starts.rays.len() - pixels.len()];
-    let parts =
-        [(render::Starts::Given(given), given.len()), (render::Starts::Pixels(pixels, PIXELS_A_ROW), pixels.len())];
-    let mut first = 0;
-    for (part, count) in parts.into_iter().filter(|(_, count)| *count > 0) {
-        let mut tracer = Tracer::new(gpu, scene, settings.clone(), part.mode())?;
-        let (_, totals) = tracer.follow(part)?;
-        for (ray, crossings) in (first..).zip(tracer.crossings()) {
-            for (order, crossing) in crossings.iter().flatten().enumerate() {
-                table.write(&(ray, order, crossing))?;
-            }
+    for (ray, (end, spectrum)) in (first..).zip(ends.iter().zip(tracer.spectra())) {
+        for (k, light) in spectrum.iter().enumerate() {
+            let frequency = radiation.hertz(k).unwrap_or(radiation.frequencies[k]);
+            table.write(&(ray, end, frequency, *light))?;
         }
-        first += count;
-        tell!("{totals}");
-        warn(&totals);
+    }
+    Ok(())
+}
+
+/// Writes the crossings of each ray.
+fn write_crossings(first: usize, tracer: &Tracer, table: &mut Table) -> Result<(), Error> {
+    for (ray, crossings) in (first..).zip(tracer.crossings()) {
+        for (order, crossing) in crossings.iter().flatten().enumerate() {
+            table.write(&(ray, order, crossing))?;
+        }
     }
     Ok(())
 }

@@ -10,6 +10,10 @@ use crate::model::volume::Flow;
 use crate::model::{Binding, Radiation, Row, matter, row, volume};
 use crate::scene::{Scene, Segment, Sky, Splitting, TransparentShadows};
 
+/// The longest angle, in radians, over which orbits are interpolated with this error; it falls with the sixth power of the angle.
+const LONGEST_ARC: f64 = 0.6;
+const ARC_ERROR: f64 = 1e-6;
+
 impl Uploads<'_> {
     /// Returns the values that a scene has once, each as one struct.
     pub(super) fn uniforms(&self) -> Vec<Binding> {
@@ -68,11 +72,12 @@ impl Uploads<'_> {
     fn transfer(&self) -> Row {
         let radiation = self.scene.radiation.as_ref();
         let axes = self.scene.law.formula_axes();
+        let tolerance = radiation.map_or(Radiation::COLOR_TOLERANCE, |radiation| radiation.tolerance);
         row! {
-            tolerance: Float(radiation.map_or(Radiation::COLOR_TOLERANCE, |radiation| radiation.tolerance)),
+            tolerance: Float(tolerance),
+            arc: Float(LONGEST_ARC * (tolerance / ARC_ERROR).powf(1.0 / 6.0).min(1.0)),
             horizon: Float(self.scene.horizon().map_or(0.0, |horizon| horizon.radius)),
             edge: Float(self.scene.volumes_reach().map_or(0.0, f64::recip)),
-            floor: Float(1e-30),
             time: Float(self.scene.camera.as_ref().map_or(0.0, |camera| camera.time)),
             white: Float(radiation.map_or(1.0, |radiation| radiation.white) / self.scene.intensity_unit().unwrap_or(1.0)),
             last_prograde: Vec3(self.last_stable(Observer::ProgradeOrbit)),

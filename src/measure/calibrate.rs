@@ -14,7 +14,7 @@ use super::ends::{Settled, compared_layers};
 use super::methods::next_method;
 use super::refined::{Refinement, Trying};
 use super::trials::{LOST, MARGIN, TOO_MANY, Trial, Trials, segments};
-use super::{fast_methods, usual_method};
+use super::{Judged, fast_methods, usual_method};
 use crate::gpu::{Gpu, GpuError};
 use crate::model::control::embedded;
 use crate::model::method::TOLERANT;
@@ -33,7 +33,7 @@ const TRUTH: f64 = 2.0;
 /// The result of a calibration.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Calibration {
-    /// The required error, in radians.
+    /// The required error.
     pub accuracy: f64,
     /// The cheapest accurate trial or, if none is accurate, the most accurate one.
     pub chosen: Trial,
@@ -67,18 +67,18 @@ impl Calibration {
         if self.reached() || !best.is_finite() {
             return None;
         }
-        let asked = self.accuracy;
+        let (asked, unit) = (self.accuracy, self.chosen.judged.unit());
         let Settled { all, unsettled, .. } = self.rays;
         if self.rays.is_lacking() {
             let name = self.chosen.method.kind.name;
             return Some(format!(
                 "{unsettled} of {all} test rays end elsewhere when {name} takes finer steps; 95 % of the others are \
-                 within {best:.1e} rad"
+                 within {best:.1e} {unit}"
             ));
         }
         let more = match self.in_double {
             Some(trial) if trial.error <= asked => "; --precision f64 is accurate enough".to_owned(),
-            Some(trial) => format!("; --precision f64 reaches {:.1e} rad", trial.error),
+            Some(trial) => format!("; --precision f64 reaches {:.1e} {unit}", trial.error),
             None if !self.compared => "; not all methods were tried, nor --precision f64".to_owned(),
             None => String::new(),
         };
@@ -87,7 +87,7 @@ impl Calibration {
         } else {
             format!("{} does not keep", self.chosen.method.kind.name)
         };
-        Some(format!("{subject} 99 % of the rays within {asked:.1e} rad; the best error is {best:.1e} rad{more}"))
+        Some(format!("{subject} 99 % of the rays within {asked:.1e} {unit}; the best error is {best:.1e} {unit}{more}"))
     }
 
     /// Returns the scene with the chosen method.
@@ -121,7 +121,7 @@ impl<'a, 's> Preparation<'a, 's> {
     ///
     /// Returns an error if the program cannot be compiled, or the device fails.
     pub fn new(gpu: &'a Gpu, scene: &'s Scene, settings: &'s RenderSettings) -> Result<Option<Self>, RenderError> {
-        let Some(accuracy) = scene.accuracy() else { return Ok(None) };
+        let Some(accuracy) = Judged::of_image(scene).accuracy(scene) else { return Ok(None) };
         let wants_double = scene.rays.auto.is_some_and(|auto| auto.precision);
         let candidate = usual_method(scene).filter(|_| !wants_double);
         let trying = candidate
@@ -172,10 +172,10 @@ impl<'a, 's> Preparation<'a, 's> {
 fn trusted(scene: &Scene, settings: &RenderSettings, accuracy: f64, trying: &Trying, found: Refinement) -> Calibration {
     let Refinement { control, error, cost, rays } = found;
     let method = trying.method();
-    let chosen = Trial { method, control, error, cost };
+    let chosen = Trial { method, control, judged: Judged::of_image(scene), error, cost };
     Calibration {
         rays,
-        layers: compared_layers(&settings.options.layers),
+        layers: compared_layers(scene, &settings.options.layers),
         ..chosen_for(scene, settings, accuracy, chosen)
     }
 }
@@ -226,10 +226,11 @@ pub fn calibrate(
     settings: &RenderSettings,
     given: Option<&[[f64; 6]]>,
 ) -> Result<Option<Calibration>, RenderError> {
-    let Some(accuracy) = scene.accuracy() else { return Ok(None) };
+    let judged = if given.is_some() { Judged::Ends } else { Judged::of_image(scene) };
+    let Some(accuracy) = judged.accuracy(scene) else { return Ok(None) };
     let methods = fast_methods(scene);
     let stage = gpu.progress.measured(SEARCH, TRUTH + methods.len() as f64);
-    let rays = match Trials::new(gpu, scene, settings, given, accuracy) {
+    let rays = match Trials::new(gpu, scene, settings, given, (judged, accuracy)) {
         // Without 64 bits there is no reference solution.
         Err(RenderError::Gpu(GpuError::NoDouble { .. })) => {
             return Ok(Some(chosen_for(scene, settings, accuracy, unjudged())));
@@ -281,7 +282,13 @@ pub(super) fn chosen_for(scene: &Scene, settings: &RenderSettings, accuracy: f64
 
 /// Returns the default if no method can be judged.
 pub(super) fn unjudged() -> Trial {
-    Trial { method: TOLERANT, control: embedded::with(1e-5, 0.3), error: f64::INFINITY, cost: f64::INFINITY }
+    Trial {
+        method: TOLERANT,
+        control: embedded::with(1e-5, 0.3),
+        judged: Judged::Ends,
+        error: f64::INFINITY,
+        cost: f64::INFINITY,
+    }
 }
 
 impl fmt::Display for Calibration {
@@ -298,7 +305,7 @@ impl fmt::Display for Calibration {
         }
         if !self.reached() && self.chosen.error.is_finite() {
             let subject = if self.compared { "no method reaches" } else { "it does not reach" };
-            write!(f, "; {subject} the requested accuracy of {:.1e} rad", self.accuracy)?;
+            write!(f, "; {subject} the requested accuracy of {:.1e} {}", self.accuracy, self.chosen.judged.unit())?;
         }
         if let Some(trial) = &self.in_double {
             write!(f, "; --precision auto would use 64 bits and {trial}")?;

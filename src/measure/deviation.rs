@@ -2,9 +2,10 @@
 
 use std::fmt;
 
-use crate::render::{Status, Traced};
-
+use super::ends::{least_light, light_error};
+use super::reference::intensities;
 use super::{Known, ReferenceSolution};
+use crate::render::{Status, Traced, Transferred};
 
 /// Quantiles of errors.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -68,16 +69,18 @@ pub struct ErrorStats {
     /// The errors of the visible result: the direction to the sky, or a surface position divided by the distance to it; infinite for a
     /// wrong end.
     pub seen: Quantiles,
+    /// The errors of the intensities, relative to them; `None` without `[radiation]`.
+    pub light: Option<Quantiles>,
 }
 
 impl ErrorStats {
-    /// Compares `rays` with the reference solution. For captured rays only the status is compared, because they are black wherever they
+    /// Compares `rays`, and their light if there is `[radiation]`, with the reference solution. For captured rays only the status is compared, because they are black wherever they
     /// cross the horizon. Pixels without rays are ignored.
     #[must_use]
-    pub fn new(rays: &[Traced], truth: &ReferenceSolution) -> Self {
+    pub fn new(rays: &[Traced], spectra: &[Vec<Transferred>], truth: &ReferenceSolution) -> Self {
         let there = |(_, truth): &(&Traced, &Traced)| truth.status != Status::Outside;
         let of = |known: fn(&Known) -> Option<&Traced>| -> Vec<(&Traced, &Traced)> {
-            rays.iter().zip(&truth.0).filter_map(|(ray, truth)| Some((ray, known(truth)?))).filter(there).collect()
+            rays.iter().zip(&truth.ends).filter_map(|(ray, truth)| Some((ray, known(truth)?))).filter(there).collect()
         };
         // A wrong end counts if the correct one is certain; errors of direction and position only if these are also known.
         let (known, whole) = (of(Known::end), of(Known::whole));
@@ -106,8 +109,16 @@ impl ErrorStats {
                     .chain(wrong.map(|_| f64::INFINITY))
                     .collect(),
             ),
+            light: (!truth.light.is_empty()).then(|| light_errors(spectra, truth)),
         }
     }
+}
+
+/// Returns the errors of the intensities of rays whose light is known.
+fn light_errors(spectra: &[Vec<Transferred>], truth: &ReferenceSolution) -> Quantiles {
+    let least = least_light(truth.light.iter().flatten().map(Vec::as_slice));
+    let pairs = intensities(spectra).into_iter().zip(&truth.light);
+    Quantiles::of(pairs.filter_map(|(light, truth)| Some(light_error(&light, truth.as_ref()?, &least))).collect())
 }
 
 fn seen(ray: &Traced, truth: &Traced) -> f64 {
@@ -140,9 +151,13 @@ mod tests {
         Traced { status, x: [1.0, 0.0, 0.0], v, tau: 2.0, segments: 0.0, steps: 1, rejected: 0, object: None }
     }
 
+    fn known(ends: Vec<Known>) -> ReferenceSolution {
+        ReferenceSolution { ends, light: Vec::new() }
+    }
+
     #[test]
     fn fates_are_counted_apart_from_errors() {
-        let truth = ReferenceSolution(vec![
+        let truth = known(vec![
             Known::Whole(ray(Status::Escaped, [0.0, 0.0, 1.0])),
             Known::Whole(ray(Status::Escaped, [0.0, 0.0, 1.0])),
             Known::Whole(ray(Status::Captured, [0.0, 0.0, 1.0])),
@@ -156,7 +171,7 @@ mod tests {
             ray(Status::Stalled, [0.0, 0.0, 1.0]),
             ray(Status::Escaped, [1.0, 0.0, 0.0]),
         ];
-        let found = ErrorStats::new(&rays, &truth);
+        let found = ErrorStats::new(&rays, &[], &truth);
         assert_eq!((found.rays, found.unresolved, found.wrong, found.flagged), (4, 1, 2, 1));
         // Half of 1e-9, as v has length 2: small angles keep their digits.
         assert!((found.angle.max - 5e-10).abs() < 1e-20, "{:e}", found.angle.max);
@@ -166,10 +181,10 @@ mod tests {
     #[test]
     fn a_certain_end_counts() {
         let escaped = ray(Status::Escaped, [0.0, 0.0, 1.0]);
-        let truth = ReferenceSolution(vec![Known::Whole(escaped), Known::End(escaped), Known::End(escaped)]);
+        let truth = known(vec![Known::Whole(escaped), Known::End(escaped), Known::End(escaped)]);
         let found = |last| {
             let rays = [escaped, ray(Status::Escaped, [0.3, 0.0, 1.0]), ray(last, [0.0, 0.0, 1.0])];
-            ErrorStats::new(&rays, &truth)
+            ErrorStats::new(&rays, &[], &truth)
         };
         let right = found(Status::Escaped);
         assert_eq!((right.rays, right.wrong, right.unresolved, right.seen.max), (3, 0, 2, 0.0));

@@ -2,43 +2,72 @@
 
 use glam::DVec3;
 
-use super::Quantiles;
+use super::{Judged, Quantiles};
+use crate::model::volume::MOST_FREQUENCIES;
 use crate::program::Layer;
 use crate::render::{Plane, Rendering, Status};
+use crate::scene::Scene;
 
 /// The layers that an image stores so that the ends of rays can be compared.
 const LAYERS: [Layer; 4] = [Layer::Position, Layer::Object, Layer::Status, Layer::Way];
 
-/// Returns these layers, followed by other layers to compare.
+/// Returns these layers, followed by the layers that a search compares.
 #[must_use]
-pub fn compared_layers(layers: &[Layer]) -> Vec<Layer> {
-    layers.iter().copied().chain(LAYERS.into_iter().filter(|layer| !layers.contains(layer))).collect()
+pub fn compared_layers(scene: &Scene, layers: &[Layer]) -> Vec<Layer> {
+    let own = LAYERS.into_iter().chain((0..scene.frequencies() as u8).map(Layer::Intensity));
+    layers.iter().copied().chain(own.filter(|layer| !layers.contains(layer))).collect()
 }
+
+/// The intensities of a ray at up to this number of frequencies.
+type Spectrum = [f64; MOST_FREQUENCIES];
 
 /// The end of a ray of the image.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct End {
     status: Status,
-    object: f32,
-    place: DVec3,
-    /// The direction, with the distance to the end as its length.
-    way: DVec3,
+    seen: Seen,
+}
+
+/// The visible result of a ray.
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Seen {
+    Place {
+        object: f32,
+        place: DVec3,
+        /// The direction, with the distance to the end as its length.
+        way: DVec3,
+    },
+    Light(Spectrum),
 }
 
 /// Returns the ends of an image's rays, without pixels that have no rays.
-pub(super) fn ends(rendering: &Rendering) -> Vec<End> {
-    let [Some(Plane::Vector(place)), Some(Plane::Scalar(object)), Some(Plane::Id(status)), Some(Plane::Vector(way))] =
-        LAYERS.map(|layer| rendering.band.layer(layer))
-    else {
-        return Vec::new();
+pub(super) fn ends(rendering: &Rendering, judged: Judged) -> Vec<End> {
+    let Some(Plane::Id(status)) = rendering.band.layer(Layer::Status) else { return Vec::new() };
+    let seen: Box<dyn Fn(usize) -> Seen> = match judged {
+        Judged::Ends => {
+            let [Some(Plane::Vector(place)), Some(Plane::Scalar(object)), _, Some(Plane::Vector(way))] =
+                LAYERS.map(|layer| rendering.band.layer(layer))
+            else {
+                return Vec::new();
+            };
+            let vector = |[x, y, z]: &[Vec<f32>; 3], i: usize| DVec3::new(x[i].into(), y[i].into(), z[i].into());
+            Box::new(move |i| Seen::Place { object: object[i], place: vector(place, i), way: vector(way, i) })
+        }
+        Judged::Light => {
+            let planes: Vec<_> = (0..MOST_FREQUENCIES as u8)
+                .filter_map(|k| match rendering.band.layer(Layer::Intensity(k)) {
+                    Some(Plane::Scalar(values)) => Some(values),
+                    _ => None,
+                })
+                .collect();
+            Box::new(move |i| {
+                let mut light = Spectrum::default();
+                light.iter_mut().zip(&planes).for_each(|(light, plane)| *light = plane[i].into());
+                Seen::Light(light)
+            })
+        }
     };
-    let vector = |[x, y, z]: &[Vec<f32>; 3], i: usize| DVec3::new(x[i].into(), y[i].into(), z[i].into());
-    let end = |i: usize| End {
-        status: Status::from_code(status[i]),
-        object: object[i],
-        place: vector(place, i),
-        way: vector(way, i),
-    };
+    let end = |i: usize| End { status: Status::from_code(status[i]), seen: seen(i) };
     (0..status.len()).map(end).filter(|end| end.status != Status::Outside).collect()
 }
 
@@ -48,16 +77,21 @@ impl End {
         matches!(self.status, Status::Alive | Status::Exhausted | Status::Stalled | Status::Failed)
     }
 
-    /// Returns the error as in [`ErrorStats::seen`](super::ErrorStats::seen), in radians; infinite for another status or object.
-    fn seen(&self, truth: &Self) -> f64 {
-        if (self.status, self.object) != (truth.status, truth.object) {
-            return f64::INFINITY;
-        }
-        let angle = angle(self.way, truth.way);
-        match truth.status {
-            Status::Captured => 0.0,
-            Status::Escaped => angle,
-            _ => angle.max(self.place.distance(truth.place) / truth.way.length()),
+    /// Returns the error as in [`ErrorStats::seen`](super::ErrorStats::seen): in radians, and infinite for another status or object; or of
+    /// the light, relative to it and at least to `least`.
+    fn error(&self, truth: &Self, least: &Spectrum) -> f64 {
+        match (self.seen, truth.seen) {
+            (Seen::Light(light), Seen::Light(known)) => light_error(&light, &known, least),
+            (Seen::Place { object, place, way }, Seen::Place { object: known, place: own_place, way: own_way }) => {
+                let angle = angle(way, own_way);
+                match truth.status {
+                    _ if (self.status, object) != (truth.status, known) => f64::INFINITY,
+                    Status::Captured => 0.0,
+                    Status::Escaped => angle,
+                    _ => angle.max(place.distance(own_place) / own_way.length()),
+                }
+            }
+            _ => f64::INFINITY,
         }
     }
 }
@@ -67,7 +101,28 @@ pub(super) fn angle(a: DVec3, b: DVec3) -> f64 {
     a.cross(b).length().atan2(a.dot(b))
 }
 
-/// The difference of directions, in radians, above which two rays are unrelated.
+/// The part of the brightest intensity below which errors are relative to it, because they are not seen.
+const FAINT: f64 = 1e-3;
+
+/// Returns the intensities to which errors of fainter ones are relative.
+pub(super) fn least_light<'a>(all: impl Iterator<Item = &'a [f64]>) -> Spectrum {
+    let mut least = Spectrum::default();
+    for light in all {
+        least.iter_mut().zip(light).for_each(|(least, light)| *least = least.max(FAINT * light));
+    }
+    least
+}
+
+/// Returns the largest error of the intensities of a ray, relative to them and at least to `least`.
+pub(super) fn light_error(light: &[f64], truth: &[f64], least: &Spectrum) -> f64 {
+    let relative = |((light, truth), least): ((&f64, &f64), &f64)| match truth.max(*least) {
+        0.0 => 0.0,
+        counts => (light - truth).abs() / counts,
+    };
+    light.iter().zip(truth).zip(least).map(relative).fold(0.0, f64::max)
+}
+
+/// The error, in radians or of the light, above which two rays are unrelated.
 const UNSETTLED: f64 = 0.1;
 
 /// The number of rays by the state of their ends.
@@ -94,7 +149,8 @@ pub(super) struct Finest {
     ends: Vec<End>,
     /// Is `Some(true)` for a ray with a settled end; `None` for a ray without an end.
     settled: Vec<Option<bool>>,
-    /// The largest error of 99 of 100 rays, in radians.
+    least: Spectrum,
+    /// The largest error of 99 of 100 rays.
     pub slack: f64,
     pub rays: Settled,
 }
@@ -102,28 +158,32 @@ pub(super) struct Finest {
 impl Finest {
     /// Creates the reference from two runs, of which the second has finer steps.
     pub fn of(coarse: &[End], fine: &[End]) -> Self {
+        let least = least_light(fine.iter().filter_map(|end| match &end.seen {
+            Seen::Light(light) => Some(&light[..]),
+            Seen::Place { .. } => None,
+        }));
         let settled: Vec<_> = coarse
             .iter()
             .zip(fine)
             .map(|(coarse, fine)| {
                 let endless = coarse.is_endless() && fine.is_endless();
-                (!endless).then(|| !fine.is_endless() && coarse.seen(fine) < UNSETTLED)
+                (!endless).then(|| !fine.is_endless() && coarse.error(fine, &least) < UNSETTLED)
             })
             .collect();
         let count = |what: Option<bool>| settled.iter().filter(|settled| **settled == what).count();
         let rays = Settled { all: settled.len(), unsettled: count(Some(false)), endless: count(None) };
-        let mut finest = Self { ends: fine.to_vec(), settled, slack: 0.0, rays };
+        let mut finest = Self { ends: fine.to_vec(), settled, least, slack: 0.0, rays };
         finest.slack = finest.deviation(coarse);
         finest
     }
 
-    /// Returns the error bound of 99 of 100 rays of a run, in radians. Unsettled rays count as wrong, unless there are too many: then only
+    /// Returns the error bound of 99 of 100 rays of a run. Unsettled rays count as wrong, unless there are too many: then only
     /// the others can be judged.
     pub fn deviation(&self, ends: &[End]) -> f64 {
         let skips = self.rays.is_lacking();
         let rays = ends.iter().zip(&self.ends).zip(&self.settled);
         let errors = rays.filter_map(|((end, truth), settled)| match settled {
-            Some(true) => Some(end.seen(truth)),
+            Some(true) => Some(end.error(truth, &self.least)),
             Some(false) if !skips => Some(f64::INFINITY),
             _ => None,
         });
@@ -137,17 +197,28 @@ mod tests {
     use super::*;
 
     fn end(status: Status, object: f32, place: [f64; 3], way: [f64; 3]) -> End {
-        End { status, object, place: place.into(), way: way.into() }
+        End { status, seen: Seen::Place { object, place: place.into(), way: way.into() } }
     }
 
     #[test]
     fn ends_are_compared_by_what_is_seen() {
         let hit = end(Status::Hit, 1.0, [0.0, 0.0, 4.0], [0.0, 0.0, 4.0]);
         let near = end(Status::Hit, 1.0, [0.04, 0.0, 4.0], [0.0, 0.0, 4.1]);
-        assert!((near.seen(&hit) - 0.01).abs() < 1e-12);
-        assert!(end(Status::Hit, 2.0, [0.0; 3], [1.0; 3]).seen(&hit).is_infinite());
-        assert!(end(Status::Captured, 0.0, [0.0; 3], [1.0; 3]).seen(&hit).is_infinite());
+        let error = |found: &End, truth: &End| found.error(truth, &Spectrum::default());
+        assert!((error(&near, &hit) - 0.01).abs() < 1e-12);
+        assert!(error(&end(Status::Hit, 2.0, [0.0; 3], [1.0; 3]), &hit).is_infinite());
+        assert!(error(&end(Status::Captured, 0.0, [0.0; 3], [1.0; 3]), &hit).is_infinite());
         let away = end(Status::Escaped, 0.0, [1.0; 3], [0.0, 0.0, 9.0]);
-        assert!((end(Status::Escaped, 0.0, [5.0; 3], [0.0, 1e-6, 1.0]).seen(&away) - 1e-6).abs() < 1e-12);
+        assert!((error(&end(Status::Escaped, 0.0, [5.0; 3], [0.0, 1e-6, 1.0]), &away) - 1e-6).abs() < 1e-12);
+    }
+
+    /// Faint light counts relative to the brightest of its frequency.
+    #[test]
+    fn light_is_compared_by_its_frequency() {
+        let rays = [[8.0, 2e-3], [4.0, 1e-9]];
+        let least = least_light(rays.iter().map(|ray| &ray[..]));
+        assert!((least[0] - 8e-3).abs() < 1e-15 && (least[1] - 2e-6).abs() < 1e-18);
+        assert!((light_error(&[4.0, 2e-9], &rays[1], &least) - 1e-9 / 2e-6).abs() < 1e-12);
+        assert!((light_error(&[8.8, 2e-3], &rays[0], &least) - 0.1).abs() < 1e-12);
     }
 }

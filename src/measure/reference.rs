@@ -1,15 +1,19 @@
 //! The reference solution: the true ends of rays.
 
+use super::ends::{least_light, light_error};
 use crate::gpu::{Gpu, GpuError, adapters};
 use crate::model::control::{embedded, exact};
 use crate::model::method::{CLOSED_FORMS, TOLERANT};
-use crate::render::{RenderError, RenderSettings, Starts, Status, Traced, Tracer};
+use crate::render::{RenderError, RenderSettings, Starts, Status, Traced, Tracer, Transferred};
 use crate::scene::{Precision, Scene, Segment};
 
 /// The least reliable tolerance of f64.
 pub(super) const FINEST: f64 = 1e-13;
 /// The difference of directions (radians) and positions (relative to the bounding radius) up to which two runs agree.
 const AGREES: f64 = 1e-6;
+/// The relative difference of intensities up to which two runs agree, and the factor of the tolerance of `[radiation]`.
+const AGREES_LIGHT: f64 = 1e-5;
+const FINER_LIGHT: f64 = 1e-3;
 /// The largest number of segments of a reference path, as a multiple of the scene's, within limits.
 const MORE_SEGMENTS: u32 = 100;
 const SEGMENTS: [u32; 2] = [20_000, 200_000];
@@ -30,6 +34,9 @@ pub fn reference(scene: &Scene, tolerance: f64) -> Scene {
     };
     rays.segment = Segment::Arc { tolerance: arc.min(1e-5 * rays.bounding_sphere.radius) };
     rays.closed_forms = true;
+    if let Some(radiation) = &mut scene.radiation {
+        radiation.tolerance *= FINER_LIGHT;
+    }
     rays.method = TOLERANT;
     rays.control = embedded::with(tolerance.max(FINEST), 0.3);
     if scene.law.facts().closed_form.is_some() && !scene.demands().needs_solver {
@@ -81,7 +88,12 @@ impl Known {
 
 /// The reference solutions of some rays.
 #[derive(Debug, Clone)]
-pub struct ReferenceSolution(pub Vec<Known>);
+pub struct ReferenceSolution {
+    /// The ends.
+    pub ends: Vec<Known>,
+    /// The intensities at each frequency, or `None` for a ray whose two runs disagree; empty without `[radiation]`.
+    pub light: Vec<Option<Vec<f64>>>,
+}
 
 impl ReferenceSolution {
     /// Computes the reference solutions of rays of the scene: the camera's, or given ones.
@@ -96,40 +108,51 @@ impl ReferenceSolution {
         let settings = RenderSettings { segments: SEGMENTS_PER_PASS, ..RenderSettings::default() };
         let mut tracer = Tracer::new(gpu, &scene, settings, starts.mode())?;
         let fine = tracer.follow(starts)?.0;
+        let light = intensities(tracer.spectra());
         let control = scene.rays.control;
         let Some(tolerance) = control.tolerance() else {
-            return Ok(Self(fine.into_iter().map(Known::Whole).collect()));
+            let light = light.into_iter().map(Some).collect();
+            return Ok(Self { ends: fine.into_iter().map(Known::Whole).collect(), light });
         };
         tracer.retune(embedded::with(10.0 * tolerance, control.cap), scene.rays.max_segments)?;
         let loose = tracer.follow(starts)?.0;
         let radius = scene.rays.bounding_sphere.radius;
         let known = |(fine, loose): (Traced, Traced)| known(fine, &loose, radius);
-        Ok(Self(fine.into_iter().zip(loose).map(known).collect()))
+        let least = least_light(light.iter().map(Vec::as_slice));
+        let certain =
+            |(fine, loose): (Vec<f64>, Vec<f64>)| (light_error(&loose, &fine, &least) < AGREES_LIGHT).then_some(fine);
+        let light = light.into_iter().zip(intensities(tracer.spectra())).map(certain).collect();
+        Ok(Self { ends: fine.into_iter().zip(loose).map(known).collect(), light })
     }
 
     /// Returns the number of rays.
     #[must_use]
     pub fn len(&self) -> usize {
-        self.0.len()
+        self.ends.len()
     }
 
     /// Returns `true` if there are no rays.
     #[must_use]
     pub fn is_empty(&self) -> bool {
-        self.0.is_empty()
+        self.ends.is_empty()
     }
 
     /// Returns `true` if the complete end of any ray is known.
     #[must_use]
     pub fn is_known(&self) -> bool {
-        self.0.iter().any(|ray| ray.whole().is_some())
+        self.ends.iter().any(|ray| ray.whole().is_some())
     }
 
     /// Returns the number of rays whose complete end is unknown.
     #[must_use]
     pub fn unresolved(&self) -> usize {
-        self.0.iter().filter(|ray| ray.whole().is_none()).count()
+        self.ends.iter().filter(|ray| ray.whole().is_none()).count()
     }
+}
+
+/// Returns the intensities of rays.
+pub(super) fn intensities(spectra: &[Vec<Transferred>]) -> Vec<Vec<f64>> {
+    spectra.iter().map(|spectrum| spectrum.iter().map(|light| light.intensity).collect()).collect()
 }
 
 /// Returns the known part of a ray's end from two runs, of which `fine` is more accurate.

@@ -8,7 +8,7 @@
 //! would increase its cost above a tenth of the image's.
 
 use super::ends::{End, Finest, Settled, compared_layers, ends};
-use super::{Candidate, cost};
+use super::{Candidate, Judged, cost};
 use crate::gpu::Gpu;
 use crate::program::ProgramOptions;
 use crate::render::{RenderError, RenderSettings, Renderer};
@@ -16,7 +16,7 @@ use crate::scene::{Control, LightGrid, Method, Scene};
 
 /// The approximate number of compared rays.
 const RAYS: f64 = 4096.0;
-/// The finest accuracy, in radians, that the digits of an image's layers can resolve.
+/// The finest accuracy that the digits of an image's layers can resolve.
 const FINEST: f64 = 3e-6;
 /// The ratio of the distance between two runs to the required error below which they are an accurate reference.
 const AGREES: f64 = 0.25;
@@ -40,7 +40,7 @@ const NO_BETTER: f64 = 1.5;
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Refinement {
     pub control: Control,
-    /// The error bound of 99 of 100 rays, in radians; of settled rays only, if too many are not.
+    /// The error bound of 99 of 100 rays; of settled rays only, if too many are not.
     pub error: f64,
     /// The cost of a ray, in evaluations of a simple derivative.
     pub cost: f64,
@@ -76,6 +76,7 @@ struct Run {
 pub(super) struct Trying<'a> {
     pub renderer: Renderer<'a>,
     scene: Scene,
+    judged: Judged,
     candidate: Candidate,
     max_segments: u32,
     /// The run of the first setting for the reference; `None` if a path is too long for the pass that follows all of it.
@@ -103,10 +104,12 @@ impl<'a> Trying<'a> {
         for light in &mut small.lights {
             light.grid = LightGrid::COARSEST;
         }
-        let options = ProgramOptions { layers: compared_layers(&settings.options.layers), ..settings.options.clone() };
+        let options =
+            ProgramOptions { layers: compared_layers(scene, &settings.options.layers), ..settings.options.clone() };
         let settings = RenderSettings { options, window: None, ..settings.clone() };
         let renderer = Renderer::keeping(gpu, small, settings)?;
-        let mut trying = Self { renderer, scene: scene.clone(), candidate, max_segments, first: None };
+        let judged = Judged::of_image(scene);
+        let mut trying = Self { renderer, scene: scene.clone(), judged, candidate, max_segments, first: None };
         // Drivers compile a program when it first runs.
         trying.first = trying.run(trying.candidate.refined(FIRST_TRUTH))?;
         Ok(Some(trying))
@@ -124,10 +127,10 @@ impl<'a> Trying<'a> {
         let totals = &rendering.totals;
         let [steps, rejected] = [totals.steps, totals.rejected].map(|count| count as f64 / totals.rays.max(1) as f64);
         let cost = cost(&self.scene, self.candidate.method, control, steps, rejected);
-        Ok(Some(Run { ends: ends(&rendering), cost }))
+        Ok(Some(Run { ends: ends(&rendering, self.judged), cost }))
     }
 
-    /// Returns the coarsest setting with which 99 of 100 rays have errors up to `accuracy`, in radians, or otherwise the cheapest that is
+    /// Returns the coarsest setting with which 99 of 100 rays have errors up to `accuracy`, or otherwise the cheapest that is
     /// nearly the best. Returns `None` if no two settings could run. `rays` is the number of rays of the whole image.
     pub fn search(&mut self, accuracy: f64, rays: u64) -> Result<Option<Refinement>, RenderError> {
         let Some(first) = self.first.take() else { return Ok(None) };

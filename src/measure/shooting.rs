@@ -14,13 +14,13 @@ use std::iter::successors;
 
 use glam::DVec3;
 
-use super::Quantiles;
 use super::calibrate::{Calibration, SEARCH, chosen_for, unjudged};
 use super::ends::{Settled, angle};
 use super::methods::{Candidate, fast_methods};
 use super::reference::FINEST;
 use super::refined::remaining;
 use super::trials::{MARGIN, Trial, segments};
+use super::{Judged, Quantiles};
 use crate::gpu::Gpu;
 use crate::model::control::{embedded, four_digits};
 use crate::model::method::TOLERANT;
@@ -119,7 +119,7 @@ impl<'a> Trying<'a, '_> {
             coarse = fine;
         }
         let (chosen, rays) = best.map_or((unjudged(), Settled::default()), |(best, control)| {
-            (Trial { method, control, error: best.error, cost: f64::NAN }, best.rays)
+            (Trial { method, control, judged: Judged::Ends, error: best.error, cost: f64::NAN }, best.rays)
         });
         tracer.retune(chosen.control, max_segments)?;
         Ok((Calibration { precision, rays, ..chosen_for(self.scene, self.settings, self.accuracy, chosen) }, tracer))

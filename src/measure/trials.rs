@@ -3,7 +3,7 @@
 use std::cmp::Ordering;
 use std::fmt;
 
-use super::{Candidate, ErrorStats, ReferenceSolution, cost, fast_methods, method_words, scattered};
+use super::{Candidate, ErrorStats, Judged, ReferenceSolution, cost, fast_methods, method_words, scattered};
 use crate::gpu::Gpu;
 use crate::model::method::TOLERANT;
 use crate::render::{RenderError, RenderSettings, Starts, Traced, Tracer};
@@ -27,7 +27,9 @@ pub struct Trial {
     pub method: Method,
     /// The setting.
     pub control: Control,
-    /// The error bound of 99 of 100 rays, in radians; infinite if unknown.
+    /// The measure of the error.
+    pub judged: Judged,
+    /// The error bound of 99 of 100 rays; infinite if unknown.
     pub error: f64,
     /// The cost of a ray, in evaluations of a simple derivative (see [`cost`]); not finite if unknown.
     pub cost: f64,
@@ -46,6 +48,7 @@ pub(super) struct Trials<'a> {
     given: Option<Vec<[f64; 6]>>,
     pixels: Vec<[u32; 2]>,
     pub truth: ReferenceSolution,
+    judged: Judged,
     accuracy: f64,
 }
 
@@ -55,7 +58,7 @@ impl<'a> Trials<'a> {
         scene: &'a Scene,
         settings: &RenderSettings,
         given: Option<&[[f64; 6]]>,
-        accuracy: f64,
+        (judged, accuracy): (Judged, f64),
     ) -> Result<Self, RenderError> {
         let tolerance = (1e-3 * accuracy).min(1e-10);
         let pixels = scattered(scene.image.size, RAYS, 1);
@@ -63,7 +66,7 @@ impl<'a> Trials<'a> {
             given.map(|rays| rays.iter().step_by(rays.len().div_ceil(RAYS).max(1)).copied().collect::<Vec<_>>());
         let starts = given.as_deref().map_or(Starts::Pixels(&pixels, 1024), Starts::Given);
         let truth = ReferenceSolution::new(gpu, scene, tolerance, starts)?;
-        Ok(Self { gpu, scene, settings: settings.clone(), given, pixels, truth, accuracy })
+        Ok(Self { gpu, scene, settings: settings.clone(), given, pixels, truth, judged, accuracy })
     }
 
     fn starts(&self) -> Starts<'_> {
@@ -99,15 +102,19 @@ impl<'a> Trials<'a> {
         let mut tried = |control| -> Result<Trial, RenderError> {
             tracer.retune(control, scene.rays.max_segments)?;
             let (rays, _) = tracer.follow(self.starts())?;
-            let error = ErrorStats::new(&rays, &self.truth).seen.sure99;
+            let found = ErrorStats::new(&rays, tracer.spectra(), &self.truth);
+            let error = match self.judged {
+                Judged::Ends => found.seen.sure99,
+                Judged::Light => found.light.map_or(f64::INFINITY, |light| light.sure99),
+            };
             let mean = |count: fn(&Traced) -> u32| {
                 rays.iter().map(|ray| f64::from(count(ray))).sum::<f64>() / rays.len().max(1) as f64
             };
             let cost = cost(self.scene, method, control, mean(|ray| ray.steps), mean(|ray| ray.rejected));
-            Ok(Trial { method, control, error, cost })
+            Ok(Trial { method, control, judged: self.judged, error, cost })
         };
         let is_right = |trial: &Trial| trial.error <= MARGIN * self.accuracy;
-        let mut best = Trial { method, control, error: f64::INFINITY, cost: f64::INFINITY };
+        let mut best = Trial { method, control, judged: self.judged, error: f64::INFINITY, cost: f64::INFINITY };
         let mut wrong = None;
         for &control in &candidate.controls {
             let trial = tried(control)?;
@@ -145,7 +152,7 @@ impl fmt::Display for Trial {
         let within = if self.error == 0.0 {
             "equal to the reference solution".to_owned()
         } else {
-            format!("within {:.1e} rad", self.error)
+            format!("within {:.1e} {}", self.error, self.judged.unit())
         };
         write!(f, "{words}, 99 % of the rays {within}")?;
         if self.cost.is_finite() { write!(f, ", about {:.0} evaluations per ray", self.cost) } else { Ok(()) }

@@ -4,7 +4,7 @@ use std::fmt;
 
 use super::{ErrorStats, Quantiles, ReferenceSolution, scattered};
 use crate::gpu::Gpu;
-use crate::render::{RenderError, RenderSettings, Starts, trace_pixels};
+use crate::render::{RenderError, RenderSettings, Starts, Tracer};
 use crate::scene::Scene;
 
 /// The error of a scene's image.
@@ -20,6 +20,8 @@ pub struct Verification {
 const VERIFIED: u64 = 2;
 /// The loosest tolerance of a reference solution, which costs little compared with the image.
 const LOOSEST: f64 = 1e-10;
+/// The number of pixels in a row of the list.
+const PIXELS_A_ROW: u32 = 1024;
 
 /// Measures the error of an image: follows the rays of `count` random pixels (of their first sample) as the image does, and again in 64
 /// bits.
@@ -29,7 +31,7 @@ const LOOSEST: f64 = 1e-10;
 ///
 /// # Errors
 ///
-/// Returns [`GpuError::NoDouble`](crate::gpu::GpuError::NoDouble) if no device supports 64 bits, and the errors of [`trace_pixels`].
+/// Returns [`GpuError::NoDouble`](crate::gpu::GpuError::NoDouble) if no device supports 64 bits, and the errors of [`Tracer::new`].
 ///
 /// # Examples
 ///
@@ -44,11 +46,13 @@ const LOOSEST: f64 = 1e-10;
 pub fn verify(gpu: &Gpu, scene: &Scene, settings: &RenderSettings, count: usize) -> Result<Verification, RenderError> {
     let _stage = gpu.progress.stage("verifying");
     let pixels = scattered(scene.image.size, count, VERIFIED);
-    let (rays, _) = trace_pixels(gpu, scene, settings, &pixels)?;
+    let starts = Starts::Pixels(&pixels, PIXELS_A_ROW);
+    let mut tracer = Tracer::new(gpu, scene, settings.clone(), starts.mode())?;
+    let (rays, _) = tracer.follow(starts)?;
     let own = scene.rays.control.tolerance().unwrap_or(LOOSEST);
     let tolerance = (own / 1000.0).clamp(1e-13, LOOSEST);
-    let truth = ReferenceSolution::new(gpu, scene, tolerance, Starts::Pixels(&pixels, 1024))?;
-    Ok(Verification { found: ErrorStats::new(&rays, &truth), tolerance })
+    let truth = ReferenceSolution::new(gpu, scene, tolerance, starts)?;
+    Ok(Verification { found: ErrorStats::new(&rays, tracer.spectra(), &truth), tolerance })
 }
 
 impl Verification {
@@ -71,7 +75,8 @@ impl Verification {
             ("wrong ends", found.wrong.to_string()),
             ("unresolved", found.unresolved.to_string()),
         ];
-        rows.into_iter().map(|(key, value)| (format!("verify: {key}"), value)).collect()
+        let light = found.light.as_ref().map(|light| ("intensity error, relative", quantiles(light)));
+        rows.into_iter().chain(light).map(|(key, value)| (format!("verify: {key}"), value)).collect()
     }
 }
 
@@ -93,10 +98,8 @@ impl fmt::Display for Verification {
         )?;
         writeln!(f, "{:<22}{:>12}{:>12}{:>12}", "error", "median", "99 %", "max")?;
         let rows = [("angle (rad)", &found.angle), ("position", &found.position), ("τ", &found.tau)];
-        for (i, (name, q)) in rows.into_iter().enumerate() {
-            let end = if i == 2 { "" } else { "\n" };
-            write!(f, "{name:<22}{q}{end}")?;
-        }
-        Ok(())
+        let light = found.light.as_ref().map(|light| ("intensity, relative", light));
+        let lines: Vec<_> = rows.into_iter().chain(light).map(|(name, q)| format!("{name:<22}{q}")).collect();
+        f.write_str(&lines.join("\n"))
     }
 }

@@ -99,9 +99,7 @@ impl Layer {
             Self::CrossingTime if !scene.law.facts().keeps_time => Some(
                 "the layer `crossing_time` requires a law whose τ is a time, such as law.kind = \"kerr-newman\" for any black hole",
             ),
-            Self::Intensity(k) | Self::OpticalDepth(k)
-                if scene.radiation.as_ref().is_none_or(|own| usize::from(k) >= own.frequencies.len()) =>
-            {
+            Self::Intensity(k) | Self::OpticalDepth(k) if usize::from(k) >= scene.frequencies() => {
                 Some("the layers `intensity_K` and `optical_depth_K` require [radiation] with more than K frequencies")
             }
             _ => None,

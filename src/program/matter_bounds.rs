@@ -8,13 +8,11 @@ use crate::assets::{Id, Variable, VolumeFormulas};
 use crate::scene::Volume;
 
 /// The variables of emission and absorption other than coordinates, and their ranges.
-const OTHERS: [(Variable, &str); 2] = [(Variable(8), "density"), (Variable(9), "frequencies")];
+const OTHERS: [(Variable, &str); 2] = [(VolumeFormulas::DENSITY, "density"), (VolumeFormulas::NU, "frequencies")];
 
 /// Returns the bounds of a volume's density, emission and absorption.
 pub(super) fn bounds(formulas: &VolumeFormulas) -> Bounds<'_> {
-    let channels = formulas.coefficients.iter().flat_map(|channel| [channel.emission, channel.absorption]);
-    let roots: Vec<Id> = channels.chain([formulas.density]).chain(formulas.temperature).collect();
-    Bounds::new(formulas.graph(), &roots, &OTHERS)
+    Bounds::new(formulas.graph(), &formulas.light(), &OTHERS)
 }
 
 /// Generates the test whether a piece of a path may hide matter.
@@ -31,7 +29,10 @@ pub(super) fn hides(volumes: &[Volume], channels: usize) -> String {
         let _ = writeln!(text, "        let density = volume_density_range_{v}(ranges);");
         let _ = writeln!(functions, "fn volume_density_range_{v}(ranges: array<Real2, {count}>) -> Real2 {{");
         let (lines, values) = bounds.body(&[formulas.density]);
-        let _ = writeln!(functions, "{lines}    return max({}, Real2(0.0));\n}}\n", values.join(""));
+        // Functions of constants are not evaluated in 64 bits.
+        let is_constant = formulas.graph().number(formulas.density).is_some();
+        let range = if is_constant { values.join("") } else { format!("max({}, Real2(0.0))", values.join("")) };
+        let _ = writeln!(functions, "{lines}    return {range};\n}}\n");
         for (c, channel) in formulas.coefficients.iter().enumerate() {
             let (lines, values) = bounds.body(&[formulas.temperature.unwrap_or(channel.emission), channel.absorption]);
             let [emission, absorption] = &values[..] else { continue };
@@ -70,5 +71,6 @@ pub(super) fn recorded(v: usize, formulas: &VolumeFormulas) -> String {
     for (k, value) in values.iter().enumerate() {
         let _ = writeln!(text, "    see_value({v}u, {k}u, {value});");
     }
-    text + "}\n\n"
+    let _ = writeln!(text, "    see_point({v}u);\n}}\n");
+    text
 }

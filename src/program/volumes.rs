@@ -9,14 +9,16 @@ use super::matter_bounds::{bounds, hides, recorded};
 use super::names::Names;
 use super::unit::Unit;
 use crate::assets::{Id, VolumeFormulas};
+use crate::model::Wgsl;
 use crate::model::law::Observer;
 use crate::model::volume::{Flow, Radiation, Show};
 use crate::scene::{Scene, Volume};
 
 /// Planck's constant times 1 Hz divided by Boltzmann's constant, in kelvins.
 const KELVIN_PER_HERTZ: f64 = 4.799_243_073_366_221e-11;
-/// 2h/c², in erg s³/cm².
-const PLANCK: f64 = 2.0 * 6.626_070_15e-27 / (2.997_924_58e10 * 2.997_924_58e10);
+
+/// The module with the functions of formulas, which media and laws may have already.
+const FORMULA: &str = "medium/formula";
 
 /// Adds the modules for light along paths through volumes.
 pub(super) fn volume_parts(scene: &Scene, features: &Features, names: &mut Names) {
@@ -29,8 +31,10 @@ pub(super) fn volume_parts(scene: &Scene, features: &Features, names: &mut Names
     names.add(if is_central { "volume/region_central" } else { "volume/region" });
     names.add(if features.volumes.transfers_orbits { "volume/stretch_orbit" } else { "volume/stretch" });
     names.all(&["volume/flow", "volume/placed"]);
-    if scene.media().all(|medium| medium.facts().formula.is_none()) && scene.fans().is_empty() {
-        names.add("medium/formula");
+    names.when(features.volumes.places_by_law, scene.law.facts().momentum_parts);
+    let by_law = scene.law.parts().contains(&Wgsl::Part(FORMULA.into()));
+    if scene.media().all(|medium| medium.facts().formula.is_none()) && scene.fans().is_empty() && !by_law {
+        names.add(FORMULA);
     }
     names.add(if features.volumes.is_spectral { "picture/radiation" } else { "volume/colored" });
     if features.volumes.bounds_matter {
@@ -142,7 +146,7 @@ fn added(v: usize, volume: &Volume, scene: &Scene, features: &Features) -> Strin
     if is_bounded {
         let _ = writeln!(text, "    see_volume_{v}(p);");
     }
-    text += "    if n == 0.0 {\n        return;\n    }\n";
+    text += "    if n >= 0.0 && n < LEAST_DENSITY {\n        return;\n    }\n";
     let shifts = features.volumes.shifts_volumes;
     let shift = if shifts { shift(v, volume.flow) } else { "1.0".to_owned() };
     let higher = if features.volumes.has_horizon { higher(volume.flow) } else { "" };
@@ -155,14 +159,17 @@ fn added(v: usize, volume: &Volume, scene: &Scene, features: &Features) -> Strin
         if is_bounded {
             let _ = writeln!(text, "    see_matter({v}u, 0u, one);");
         }
-        if emission != 0.0 || absorption != 0.0 {
-            text += "    let growth = real_log(s);\n";
-        }
-        let power = |p: f64| if p == 0.0 { String::new() } else { format!(" * real_exp({p:?} * growth)") };
+        // Without shifts s is 1.
+        let power = |p: f64| if shifts { product(p) } else { String::new() };
         let _ = writeln!(text, "    let bright = rate * one.x{};", power(emission));
         let _ = writeln!(text, "    let dim = dimming * one.y{};", power(absorption));
     }
     let channels = radiation.map_or(3, |radiation| radiation.frequencies.len());
+    if radiation.is_none() && formulas.temperature.is_some() {
+        // A black body of frequency sν and temperature T is s³ times that of ν and T/s.
+        let color = format!("black_body_color(f32(volume_temperature_{v}(p) / s), {:?})", volume.white);
+        let _ = writeln!(text, "    let shown = s * s * s * Real3({color});");
+    }
     for k in 0..channels {
         let nu = radiation.map_or(1.0, |radiation| radiation.frequencies[k]);
         let values = if let Some([emission, absorption]) = factors {
@@ -181,6 +188,7 @@ fn added(v: usize, volume: &Volume, scene: &Scene, features: &Features) -> Strin
                 );
             }
             match formulas.temperature {
+                Some(_) if radiation.is_none() => format!("rate * c{k}.y * shown[{k}], dimming * c{k}.y"),
                 Some(_) => format!("rate * c{k}.y * {}, dimming * c{k}.y", black_body(v, nu, scene)),
                 None => format!("rate * c{k}.x, dimming * c{k}.y"),
             }
@@ -190,20 +198,30 @@ fn added(v: usize, volume: &Volume, scene: &Scene, features: &Features) -> Strin
     text + "}\n\n"
 }
 
-/// Returns the Planck function at the frequency of the matter, in units of the emission times the scene's unit of length.
-fn black_body(v: usize, nu: f64, scene: &Scene) -> String {
-    let (hertz, unit) = planck_units(scene);
-    let (most, kelvin) = (PLANCK * hertz.powi(3) / unit, KELVIN_PER_HERTZ * hertz);
-    format!("planck({nu:?} * s, {most:?}, {kelvin:?}, volume_temperature_{v}(p))")
+/// Returns a factor sᵖ: as products and a square root, if it takes few.
+fn product(p: f64) -> String {
+    let halves = 2.0 * p.abs();
+    if halves > 8.0 || halves.fract() > 0.0 {
+        return format!(" * real_exp({p:?} * real_log(s))");
+    }
+    let halves = halves as usize;
+    let factors: Vec<_> = (0..halves / 2).map(|_| "s").chain((halves % 2 == 1).then_some("sqrt(s)")).collect();
+    let all = factors.join(" * ");
+    match p {
+        0.0 => all,
+        _ if p < 0.0 => format!(" / ({all})"),
+        _ => format!(" * {all}"),
+    }
 }
 
-/// Returns ν₀ in hertz and the unit of intensity; without them, temperatures are in units of hν₀/k and intensities of 2hν₀³/c².
-fn planck_units(scene: &Scene) -> (f64, f64) {
+/// Returns the Planck function at the frequency of the matter, in units of the emission times the scene's unit of length. Without units,
+/// temperatures are in units of hν₀/k and intensities of 2hν₀³/c².
+fn black_body(v: usize, nu: f64, scene: &Scene) -> String {
     let radiation = scene.radiation.as_ref();
-    let hertz = radiation.and_then(|radiation| radiation.reference).unwrap_or(1.0 / KELVIN_PER_HERTZ);
-    let length = scene.units.and_then(|units| units.length);
-    let unit = radiation.zip(length).and_then(|(radiation, length)| radiation.unit(length));
-    (hertz, unit.unwrap_or(PLANCK * hertz.powi(3)))
+    let most =
+        radiation.and_then(Radiation::planck_unit).zip(scene.intensity_unit()).map_or(1.0, |(all, one)| all / one);
+    let kelvin = radiation.and_then(|radiation| radiation.reference).map_or(1.0, |hertz| KELVIN_PER_HERTZ * hertz);
+    format!("planck({nu:?} * s, {most:?}, {kelvin:?}, volume_temperature_{v}(p))")
 }
 
 /// Returns the frequency of light to the matter of a volume.

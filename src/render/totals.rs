@@ -145,6 +145,8 @@ pub struct Totals {
     pub adaptive: Option<Adaptive>,
     /// The number of path segments on which the absorption did not reach its tolerance, or was not valid.
     pub unfiltered: u64,
+    /// The number of path segments on which the light of volumes did not converge to its tolerance.
+    pub unsettled: u64,
     /// The light at each frequency, in images of scenes with `[radiation]`.
     pub radiation: Vec<FrequencyTotals>,
     /// The number of rays through matter that is negative, not a number, or faster than light; they show no light.
@@ -220,8 +222,8 @@ impl Totals {
 
     /// Returns the numbers of rays in a tally, by the code of their status.
     fn ends(tally: &Row) -> impl Iterator<Item = (u32, u64)> {
-        let others =
-            ["UNLIT", "LOST", "UNFILTERED", "OVERRUN", "UNDEFINED"].map(|name| constant("segment/ray", name) as u32);
+        let others = ["UNLIT", "LOST", "UNFILTERED", "OVERRUN", "UNDEFINED", "UNSETTLED"]
+            .map(|name| constant("segment/ray", name) as u32);
         let codes = 0..constant("state/tally", "STATUSES") as u32;
         codes
             .filter(move |code| !others.contains(code))
@@ -243,6 +245,7 @@ impl Totals {
         self.lost += other.lost;
         self.unfiltered += other.unfiltered;
         self.undefined += other.undefined;
+        self.unsettled += other.unsettled;
         self.overrun += other.overrun;
         self.radiation.resize(self.radiation.len().max(other.radiation.len()), FrequencyTotals::default());
         self.radiation.iter_mut().zip(&other.radiation).for_each(|(own, other)| own.merge(other));
@@ -266,6 +269,7 @@ impl Totals {
         self.lost += counted(tally, "LOST");
         self.unfiltered += counted(tally, "UNFILTERED");
         self.undefined += counted(tally, "UNDEFINED");
+        self.unsettled += counted(tally, "UNSETTLED");
         self.overrun += counted(tally, "OVERRUN");
         for (code, n) in Self::ends(tally) {
             self.rays += n;
@@ -300,6 +304,9 @@ impl fmt::Display for Totals {
         }
         if self.unfiltered > 0 {
             write!(f, "; absorption not converged on {} path segments", self.unfiltered)?;
+        }
+        if self.unsettled > 0 {
+            write!(f, "; light of volumes not converged on {} path segments", self.unsettled)?;
         }
         if self.overrun > 0 {
             write!(f, "; {} segments need more loop iterations than this device runs in one pass", self.overrun)?;

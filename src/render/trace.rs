@@ -246,7 +246,7 @@ impl<'a> Tracer<'a> {
 /// Returns the light of the rays of a tile at each frequency.
 fn spectra(pixels: &Records, scene: &Scene) -> Vec<Vec<Transferred>> {
     let (field, unit) = (pixels.field("transfer"), scene.intensity_unit().unwrap_or(1.0));
-    let frequencies = scene.radiation.as_ref().map_or(0, |radiation| radiation.frequencies.len());
+    let frequencies = scene.frequencies();
     let of = |row: Row| {
         let numbers = row.numbers::<{ 2 * MOST_FREQUENCIES }>(field);
         let (pairs, _) = numbers.as_chunks();

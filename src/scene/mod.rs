@@ -13,6 +13,7 @@ mod emitters;
 mod followed;
 mod guide;
 pub mod import;
+mod impossible_matter;
 mod lights;
 mod optics;
 mod output;
@@ -157,6 +158,12 @@ impl Scene {
         is_seen && !self.law.facts().momentum_parts.is_empty() && self.rays.path_tracing.is_none()
     }
 
+    /// Returns the number of frequencies of light; 0 for colors.
+    #[must_use]
+    pub fn frequencies(&self) -> usize {
+        self.radiation.as_ref().map_or(0, |radiation| radiation.frequencies.len())
+    }
+
     /// Returns the required accuracy in radians, or `None` if the scene specifies a method. A pixel counts as a thousandth of a radian if
     /// there is no camera or the camera is orthographic, because its pixels have no angle.
     #[must_use]
@@ -206,10 +213,13 @@ impl Scene {
         self.volumes.iter().try_fold(0.0, |all: f64, volume| Some(all.max(reach(volume)?)))
     }
 
-    /// Returns the intensity 1 in erg/(cm² s Hz sr), if the scene has units for it.
+    /// Returns the intensity 1 in erg/(cm² s Hz sr), if the scene has units for it, or if all matter is black.
     #[must_use]
     pub fn intensity_unit(&self) -> Option<f64> {
-        self.radiation.as_ref()?.unit(self.units?.length?)
+        let radiation = self.radiation.as_ref()?;
+        let by_emission = self.units.and_then(|units| radiation.unit(units.length?));
+        let is_black = self.volumes.iter().all(|volume| volume.formulas.temperature.is_some());
+        by_emission.or_else(|| radiation.planck_unit().filter(|_| is_black))
     }
 
     /// Returns every medium, of space and of objects.

@@ -33,6 +33,7 @@ impl Scene {
             .iter()
             .cloned()
             .chain(self.rounded_away())
+            .chain(self.impossible_matter())
             .chain(self.pictures.iter().flat_map(of_picture))
             .collect()
     }

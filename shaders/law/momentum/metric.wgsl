@@ -28,21 +28,6 @@ fn law_square_at(x: Real3, k: Real4, tau: Real) -> Real {
     return metric_square(metric_at(metric_place(x), law.time - tau), k);
 }
 
-// Returns the radius r of a position relative to the center.
-fn law_radius(arm: Real3) -> Real {
-    return length(arm);
-}
-
-// Returns the gradient of that radius.
-fn law_rise(arm: Real3) -> Real3 {
-    return normalize(arm);
-}
-
-// Returns the distance from the axis at radius r on the equator.
-fn law_axial(r: Real) -> Real {
-    return r;
-}
-
 // Returns the four-velocity of the Eulerian observer.
 fn law_eulerian(x: Real3) -> Real4 {
     let m = metric_at(metric_place(x), law.time);

@@ -27,21 +27,6 @@ fn law_square(x: Real3, k: Real4) -> Real {
     return radial * radial + dot(across, across) - k.w * k.w;
 }
 
-// Returns the distance of a position from the center of its mouth.
-fn law_radius(arm: Real3) -> Real {
-    return length(arm);
-}
-
-// Returns the gradient of that radius.
-fn law_rise(arm: Real3) -> Real3 {
-    return normalize(arm);
-}
-
-// Returns the distance from the axis at radius r on the equator.
-fn law_axial(r: Real) -> Real {
-    return r;
-}
-
 // Returns the four-velocity of the Eulerian observer, who is static.
 fn law_eulerian(x: Real3) -> Real4 {
     return Real4(0.0, 0.0, 0.0, 1.0);

@@ -12,14 +12,16 @@ const PLACE: [Name; 7] = [
     Name::Variable("x", Variable(0)),
     Name::Variable("y", Variable(1)),
     Name::Variable("z", Variable(2)),
-    Name::Variable("t", Variable(3)),
+    Name::Variable("t", TIME),
     Name::Variable("r", Variable(4)),
     Name::Variable("rho", Variable(5)),
     Name::Pi,
 ];
 /// The sine and the cosine of the polar angle.
 const POLAR: [Variable; 2] = [Variable(6), Variable(7)];
-const NU: Variable = Variable(9);
+const TIME: Variable = Variable(3);
+const DENSITY: Variable = VolumeFormulas::DENSITY;
+const NU: Variable = VolumeFormulas::NU;
 
 /// These variables, the density and the frequency.
 const ALL: [Name; 9] = [
@@ -30,7 +32,7 @@ const ALL: [Name; 9] = [
     PLACE[4],
     PLACE[5],
     PLACE[6],
-    Name::Variable("n", Variable(8)),
+    Name::Variable("n", DENSITY),
     Name::Variable("nu", NU),
 ];
 
@@ -99,6 +101,10 @@ pub struct Coefficients {
 }
 
 impl VolumeFormulas {
+    /// The density n, the first variable that is not of a position.
+    pub const DENSITY: Variable = Variable(8);
+    /// The frequency ν/ν₀.
+    pub const NU: Variable = Variable(9);
     /// The names of the variables in WGSL.
     pub const VARIABLES: [&'static str; 10] =
         ["p.q.x", "p.q.y", "p.q.z", "p.time", "p.r", "p.rho", "p.sine", "p.cosine", "n", "nu"];
@@ -167,30 +173,35 @@ impl VolumeFormulas {
         fields.into_iter().find(|(_, id)| self.depends_on(*id, NU)).map(|(field, _)| field)
     }
 
+    /// Returns the formulas of the density, the emission, the absorption and the temperature.
+    #[must_use]
+    pub fn light(&self) -> Vec<Id> {
+        let channels = self.coefficients.iter().flat_map(|channel| [channel.emission, channel.absorption]);
+        channels.chain([self.density]).chain(self.temperature).collect()
+    }
+
     /// Returns `true` if some formula depends on the time.
     #[must_use]
     pub fn changes(&self) -> bool {
-        let channels = self.coefficients.iter().flat_map(|channel| [channel.emission, channel.absorption]);
-        let all = channels.chain([self.density]).chain(self.flow.iter().copied()).chain(self.temperature);
-        all.into_iter().any(|id| self.depends_on(id, Variable(3)))
+        let all = [self.light(), self.flow.clone()].concat();
+        self.contain(&all, |node| node == Node::Variable(TIME))
     }
 
     /// Returns `true` if the emission or the absorption depends on position or time.
     #[must_use]
     pub fn varies(&self) -> bool {
-        let channels = self.coefficients.iter().flat_map(|channel| [channel.emission, channel.absorption]);
-        let all: Vec<Id> = channels.chain([self.density]).chain(self.temperature).collect();
-        let is_place = |node| matches!(node, Node::Variable(Variable(index)) if index < 8);
-        self.graph.reached(&all).into_iter().any(|id| is_place(self.graph.node(id)))
+        self.contain(&self.light(), |node| matches!(node, Node::Variable(variable) if variable.0 < DENSITY.0))
     }
 
     /// Returns `true` if emission or absorption may have edges, beyond which there is none.
     #[must_use]
     pub fn has_edges(&self) -> bool {
-        let channels = self.coefficients.iter().flat_map(|channel| [channel.emission, channel.absorption]);
-        let all: Vec<Id> = channels.chain([self.density]).collect();
         let is_edge = |node| matches!(node, Node::Min(..) | Node::Max(..) | Node::Call(Function::Abs, _));
-        self.graph.reached(&all).into_iter().any(|id| is_edge(self.graph.node(id)))
+        self.contain(&self.light(), is_edge)
+    }
+
+    fn contain(&self, roots: &[Id], is_wanted: impl Fn(Node) -> bool) -> bool {
+        self.graph.reached(roots).into_iter().any(|id| is_wanted(self.graph.node(id)))
     }
 
     /// Returns `true` if nothing absorbs light.
@@ -200,7 +211,7 @@ impl VolumeFormulas {
     }
 
     fn depends_on(&self, root: Id, variable: Variable) -> bool {
-        self.graph.reached(&[root]).iter().any(|id| self.graph.node(*id) == Node::Variable(variable))
+        self.contain(&[root], |node| node == Node::Variable(variable))
     }
 
     /// Returns the powers of ν to which the emission and the absorption are proportional.

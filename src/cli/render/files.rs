@@ -143,9 +143,9 @@ impl Arguments {
 
     /// Returns the layers that the program keeps. They include the layers that a search compares if the image of `--method-from` had
     /// them, because another program may round differently.
-    pub(super) fn kept(&self, layers: &[Layer], before: Option<&EarlierImage>) -> Vec<Layer> {
+    pub(super) fn kept(&self, scene: &Scene, layers: &[Layer], before: Option<&EarlierImage>) -> Vec<Layer> {
         let is_compared = before.map_or_else(|| self.changes.is_compared(), EarlierImage::is_compared);
-        if is_compared { compared_layers(layers) } else { layers.to_owned() }
+        if is_compared { compared_layers(scene, layers) } else { layers.to_owned() }
     }
 }
 

@@ -133,6 +133,7 @@ fn counts(made: &Made) -> Value {
         "unlit_points": totals.unlit,
         "absorption_unconverged": totals.unfiltered,
         "undefined_matter": totals.undefined,
+        "volumes_unconverged": totals.unsettled,
         "radiation": frequency_reports(made.scene, &totals.radiation),
         "overrun_segments": totals.overrun,
     })
@@ -204,5 +205,6 @@ fn verification(verification: &Verification) -> Value {
         "angle_radians": quantiles(&found.angle),
         "position": quantiles(&found.position),
         "tau": quantiles(&found.tau),
+        "intensity": found.light.as_ref().map(quantiles),
     })
 }

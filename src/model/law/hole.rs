@@ -131,8 +131,10 @@ impl Law for RoundHole {
     fn facts(&self) -> LawProperties<'_> {
         let is_geodesic = self.form == HoleForm::Geodesic;
         let (pull, momentum_parts) = match self.form {
-            HoleForm::Charged => ("law/orbit/charged", &["law/momentum/round", "law/clock/charged"]),
-            _ => ("law/orbit/schwarzschild", &["law/momentum/round", "law/clock/schwarzschild"]),
+            HoleForm::Charged => {
+                ("law/orbit/charged", &["law/momentum/radius", "law/momentum/round", "law/clock/charged"])
+            }
+            _ => ("law/orbit/schwarzschild", &["law/momentum/radius", "law/momentum/round", "law/clock/schwarzschild"]),
         };
         let orbit = Orbit { center: self.center, form: OrbitForm::Plane(pull), is_free_far_away: true };
         LawProperties {

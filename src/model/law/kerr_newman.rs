@@ -195,6 +195,7 @@ impl Law for KerrNewman {
             center: Vec3(self.center),
             mass: Float(self.mass),
             spin: Vec3(self.spin * self.axis),
+            axis: Vec3(self.axis),
             charge_squared: Float(self.charge * self.charge),
         };
         vec![Binding::one("law", row)]

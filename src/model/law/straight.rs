@@ -26,7 +26,7 @@ impl Law for Straight {
             // Only media of interiors need steps.
             usual_steps: UsualSteps::Scaled,
             keeps_time: true,
-            momentum_parts: &["law/momentum/flat"],
+            momentum_parts: &["law/momentum/radius", "law/momentum/flat"],
             ..LawProperties::default()
         }
     }

@@ -101,7 +101,7 @@ impl Law for Wormhole {
             keeps_time: true,
             usual_steps: UsualSteps::Scaled,
             throat: Some(self.joint()),
-            momentum_parts: &["law/momentum/wormhole"],
+            momentum_parts: &["law/momentum/radius", "law/momentum/wormhole"],
             refuses_interiors: Some("near a wormhole, the speed of light in an interior is not defined"),
             refuses_sent_light: Some("light has more paths through a wormhole than bentray searches for"),
             ..LawProperties::default()

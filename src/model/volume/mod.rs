@@ -29,6 +29,8 @@ pub struct Volume {
     pub formulas: VolumeFormulas,
     /// The kind of motion.
     pub flow: Flow,
+    /// The temperature in kelvins of the black body that has luminance 1 in color.
+    pub white: f64,
 }
 
 /// The region of a volume.
@@ -66,6 +68,18 @@ impl Volume {
     #[must_use]
     pub fn center(&self) -> DVec3 {
         self.region.as_ref().map_or(DVec3::ZERO, |region| region.transform.0.translation)
+    }
+
+    /// Returns `true` for positions in the region.
+    #[must_use]
+    pub fn contains(&self, x: DVec3) -> bool {
+        let Some(region) = &self.region else { return true };
+        let p = region.transform.0.inverse().transform_point3(x);
+        match region.name {
+            "sphere" => p.length() < 1.0,
+            "cylinder" => p.x.hypot(p.z).max(p.y.abs()) < 1.0,
+            _ => p.abs().max_element() < 1.0,
+        }
     }
 
     /// Returns the lower and upper corner of a box around the region; `None` for all of space.

@@ -7,6 +7,9 @@ use crate::document::{Dimension, KeyReference, Node, Value, key_rows};
 /// The largest number of frequencies that are followed along one path.
 pub const MOST_FREQUENCIES: usize = 8;
 
+/// 2h/c², in erg s³/cm².
+const PLANCK: f64 = 2.0 * 6.626_070_15e-27 / (2.997_924_58e10 * 2.997_924_58e10);
+
 /// The table `[radiation]`: light at given frequencies instead of colors.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Radiation {
@@ -45,6 +48,12 @@ impl Radiation {
     #[must_use]
     pub fn hertz(&self, k: usize) -> Option<f64> {
         Some(self.reference? * self.frequencies[k])
+    }
+
+    /// Returns 2hν₀³/c², in erg/(cm² s Hz sr), if the frequencies have units.
+    #[must_use]
+    pub fn planck_unit(&self) -> Option<f64> {
+        Some(PLANCK * self.reference?.powi(3))
     }
 
     /// Returns the intensity 1 in erg/(cm² s Hz sr), for this length of the scene's unit in meters.

@@ -14,6 +14,8 @@ use crate::model::Law;
 use crate::model::law::Observer;
 use crate::model::shape;
 
+/// The default temperature of luminance 1, in kelvins.
+const WHITE: f64 = 6500.0;
 /// The largest number of volumes.
 const MOST: usize = 16;
 
@@ -29,7 +31,7 @@ pub(crate) fn reference() -> Vec<KeyReference> {
             emission if "no source": "number, formula, or three" = "0",
                 "emission per unit length: a formula of position, n and, with [radiation], nu; without it also three, one per color channel; numbers are multiplied by n";
             absorption: "number, formula, or three" = "0", "absorption coefficient, per unit length, likewise";
-            source if "no emission": "{ black_body = number or formula }" = "none", "temperature in kelvins of matter that emits as a black body: emission is absorption times the Planck function";
+            source if "no emission": "table" = "none", "temperature in kelvins of matter that emits as a black body: emission is absorption times the Planck function";
             flow: "static | eulerian | zamo | prograde-orbit | retrograde-orbit | infalling | table" = "static",
                 "motion of the matter, as an observer at each position, or a table with one of the keys below";
             parameters: "table of numbers" = "{}", "names for numbers in the formulas";
@@ -43,6 +45,7 @@ pub(crate) fn reference() -> Vec<KeyReference> {
         }
         "volumes.source" {
             black_body: "number or formula" = "required", "temperature, in kelvins";
+            white: "number above 0" = "6500", "temperature in kelvins of the black body that has luminance 1 in color, without [radiation]";
         }
     };
     let shapes = shape::KINDS.reference().into_iter().filter(|row| {
@@ -85,8 +88,13 @@ fn volume(table: &TableReader, law: Option<&dyn Law>, with_frequencies: bool, fi
     if let (Some(node), true) = (emission, source.is_some()) {
         table.reader.fault(node.fault("`emission` cannot be combined with `source`", "remove one of them"));
     }
+    let mut white = WHITE;
     let temperature = source.and_then(|source| {
         let node = source.required_node("black_body", "\"1e7\"");
+        white = source.or("white", WHITE, positive);
+        if with_frequencies && source.gives("white") {
+            source.fault(&["white"], "`white` applies to colors, and cannot be combined with [radiation]", "remove it");
+        }
         source.finish();
         node
     });
@@ -134,7 +142,7 @@ fn volume(table: &TableReader, law: Option<&dyn Law>, with_frequencies: bool, fi
         fault(field, 0..length, "`nu` requires the frequencies of light".to_owned(), help);
         return None;
     }
-    Some(Volume { region, formulas, flow })
+    Some(Volume { region, formulas, flow, white })
 }
 
 fn region(table: &TableReader, files: &mut Files) -> Option<VolumeRegion> {

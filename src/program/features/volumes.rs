@@ -22,7 +22,7 @@ pub struct VolumeFeatures {
     pub absorbs_volumes: bool,
     /// Pieces of paths are tested for matter that is too thin to meet their points.
     pub bounds_matter: bool,
-    /// Matter may end at an edge between the points of a piece, and the error counts. It is not counted for colors.
+    /// Matter may end at an edge between the points of a piece.
     pub has_edges: bool,
     /// The motion of matter and of the camera changes the frequency of light.
     pub shifts_volumes: bool,
@@ -54,7 +54,7 @@ impl VolumeFeatures {
             keeps_depth: is_spectral && has_depths,
             absorbs_volumes: scene.volumes.iter().any(|volume| !volume.formulas.is_clear()),
             bounds_matter: scene.volumes.iter().any(|volume| volume.formulas.varies()),
-            has_edges: is_spectral && scene.volumes.iter().any(|volume| volume.formulas.has_edges()),
+            has_edges: transfers && scene.volumes.iter().any(|volume| volume.formulas.has_edges()),
             shifts_volumes,
             has_horizon: shifts_volumes && scene.horizon().is_some(),
             volumes_change: facts.changes_with_time || scene.volumes.iter().any(|volume| volume.formulas.changes()),

@@ -200,7 +200,7 @@ impl Law for Metric {
             usual_steps: UsualSteps::Scaled,
             throat: self.throat,
             form: Form::LineElement(&self.element),
-            momentum_parts: &["law/momentum/metric"],
+            momentum_parts: &["law/momentum/radius", "law/momentum/metric"],
             flows: &[Observer::Zamo],
             refuses_surfaces: in_time.then_some("a law that depends on t would restart at each surface"),
             refuses_interiors: Some("in a spacetime, the speed of light in an interior is not defined"),
