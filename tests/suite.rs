@@ -61,6 +61,7 @@ mod travels;
 mod tree;
 mod vertex_colors;
 mod volume_colors;
+mod volume_grids;
 mod volumes;
 mod warp;
 mod worldlines;

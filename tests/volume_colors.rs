@@ -53,3 +53,23 @@ fn colors_are_intensities() {
         }
     }
 }
+
+/// Opaque matter of one temperature has the color of the material `blackbody`, also where gravity shifts its light.
+#[test]
+fn opaque_matter_has_the_color_of_a_black_body() {
+    let head = "[image]\nsize = [1, 1]\n[camera]\nposition = [0, 0, 12]\nfov = 0.1\nobserver = \"static\"\nredshift = true\n[law]\n\
+                kind = \"schwarzschild\"\n[rays]\nbounding_sphere = { radius = 20 }\nmethod = \"planar\"\n";
+    let color = |text: &str| {
+        let found = Renderer::new(&gpu(), &scene(text), RenderSettings::default()).unwrap().render().unwrap();
+        [0, 1, 2].map(|k| found.band.color[k][0])
+    };
+    let surface = color(&format!(
+        "{head}[materials.hot]\nkind = \"blackbody\"\ntemperature = 4000\n[[objects]]\nshape = \"sphere\"\nradius = 4\nmaterial = \"hot\"\n"
+    ));
+    let matter = color(&format!(
+        "{head}[[volumes]]\nshape = \"sphere\"\nradius = 4\nsource = {{ black_body = 4000, white = 4000 }}\nabsorption = 1e4\n"
+    ));
+    for (one, two) in matter.into_iter().zip(surface) {
+        assert!((one / two - 1.0).abs() < 2e-3, "{matter:?} {surface:?}");
+    }
+}

@@ -23,9 +23,8 @@ fn add_step() {
     note_doubts();
     let light = vec3f(f32(transferred.light[0]), f32(transferred.light[1]), f32(transferred.light[2]));
     let depth = vec3f(f32(transferred.depth[0]), f32(transferred.depth[1]), f32(transferred.depth[2]));
-    if glow_counts {
-        carried.gathered += carried.share * carried.camera * carried.throughput * light;
-    }
+    let share = select(0.0, carried.share, glow_counts);
+    carried.gathered += share * carried.camera * carried.throughput * light;
     scale_throughput(exp(-min(depth, vec3f(80.0))));
     transferred = Light();
 }

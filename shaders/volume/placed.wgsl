@@ -9,6 +9,8 @@ struct MatterPlace {
     // The sine and the cosine of the polar angle.
     sine: Real,
     cosine: Real,
+    // The values of grids.
+    grids: array<Real, 8>,
 }
 
 // Relative to an origin, along the axes of the scene.
@@ -17,13 +19,13 @@ fn placed_by_origin(spot: Spot, origin: Real3) -> MatterPlace {
     let rho = length(q.xy);
     let r = length(q);
     let inverse = 1.0 / max(r, 1e-30);
-    return MatterPlace(q, spot.time, r, rho, rho * inverse, q.z * inverse);
+    return MatterPlace(q, spot.time, r, rho, rho * inverse, q.z * inverse, array<Real, 8>());
 }
 
 // In the coordinates of the law, along its axis.
 fn placed_by_law(spot: Spot) -> MatterPlace {
     let q = formula_axes(law_arm(spot.x));
-    return MatterPlace(q, spot.time, spot.r, length(q.xy), spot.sine, spot.cosine);
+    return MatterPlace(q, spot.time, spot.r, length(q.xy), spot.sine, spot.cosine, array<Real, 8>());
 }
 
 fn formula_axes(arm: Real3) -> Real3 {

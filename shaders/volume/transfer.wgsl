@@ -61,9 +61,9 @@ const GAUSS_WEIGHTS: Real3 = Real3(0.2777777777777778, 0.4444444444444444, 0.277
 const NULL_QUARTIC: Real3 = Real3(0.0297155667, -0.1721331889, 0.5297172973);
 const NULL_CUBIC: Real3 = Real3(0.1361496700, -0.4444444444, 0.3082947744);
 const NULL_LINEAR: Real3 = Real3(0.2777777778, 0.0, -0.2777777778);
-// After this number of pieces of a part, the allowed error of each grows, because rounding may not allow less; and then none is cut.
-const MANY_PIECES: u32 = 256u;
-const TRANSFER_PIECES: u32 = 768u;
+// After this number of pieces of a part that are not easy, the allowed error of each grows, because rounding may not allow less; and then none is cut.
+const MANY_PIECES: u32 = 512u;
+const TRANSFER_PIECES: u32 = 1024u;
 // The least size of a piece, in rounding errors of positions.
 const LEAST_PIECE: Real = 24.0;
 // The part of that down to which surfaces of volumes are looked for.
@@ -240,8 +240,7 @@ fn transfer_lasts() -> bool {
 const TRANSFER_END: Real = 24.0;
 
 // Returns the size of the shortest pieces, to whose light the rounding of positions adds a few percent.
-fn transfer_shortest(step: Stretch, until: Real) -> Real {
-    let extent = stretch_extent(step, until);
+fn transfer_shortest(extent: Real2, until: Real) -> Real {
     return LEAST_PIECE * LAST_PART * until * max(1.0, extent.y / max(extent.x, 1e-30));
 }
 
@@ -254,7 +253,8 @@ fn transfer_step(step: Stretch, until: Real) {
     if BOUNDS_MATTER {
         begin_bounds();
     }
-    let shortest = transfer_shortest(step, until);
+    let extent = stretch_extent(step, until);
+    let shortest = transfer_shortest(extent, until);
     loop {
         var end = select(a + size, until, size > 0.9999 * (until - a) || is_spent());
         var at = region_place(step, end);
@@ -266,7 +266,11 @@ fn transfer_step(step: Stretch, until: Real) {
         let own = end - a;
         let shortens = cut.unclear && own > REGION_PART * shortest && !is_spent();
         if cut.within != 0u && !shortens {
-            transfer_part(step, cut.within, a, end, shortest);
+            var longest = until;
+            if HAS_GRIDS {
+                longest = max(until * volume_cells(cut.within) / max(extent.x, 1e-30), shortest);
+            }
+            transfer_part(step, cut.within, a, end, Real2(shortest, longest));
         }
         let onward = max(size, select(Real(2.0), 8.0, cut.within == 0u) * own);
         size = select(onward, 0.5 * own, shortens);
@@ -280,11 +284,11 @@ fn transfer_step(step: Stretch, until: Real) {
     }
 }
 
-// Adds the light of a part of a step, piece by piece; `within` marks the volumes that contain it. A piece that is as short as one can be, or
-// that follows too many others, counts whether its error is small or not.
-fn transfer_part(step: Stretch, within: u32, start: Real, end: Real, shortest: Real) {
+// Adds the light of a part of a step, piece by piece; `within` marks the volumes that contain it, and `sizes` are the least and the greatest
+// size of a piece. One that is as short as it can be, or that follows too many others, counts whether its error is small or not.
+fn transfer_part(step: Stretch, within: u32, start: Real, end: Real, sizes: Real2) {
     var a = start;
-    var size = end - start;
+    var size = min(end - start, sizes.y);
     var pieces = 0u;
     loop {
         let is_last = size > 0.9999 * (end - a) || is_spent();
@@ -296,7 +300,7 @@ fn transfer_part(step: Stretch, within: u32, start: Real, end: Real, shortest: R
         if BOUNDS_MATTER {
             agrees = agrees && !matter_hides(within, piece, own);
         }
-        let is_final = agrees || own <= shortest || is_tired;
+        let is_final = agrees || own <= sizes.x || is_tired;
         if is_final {
             add_piece(piece);
             if !agrees || pieces > MANY_PIECES {
@@ -304,9 +308,9 @@ fn transfer_part(step: Stretch, within: u32, start: Real, end: Real, shortest: R
             }
             a = select(a + own, end, is_last);
         }
-        pieces += select(0u, 1u, is_final);
         let easy = is_tired || 16.0 * piece.error < allowed;
-        size = select(0.5 * own, max(size, select(Real(1.0), 2.0, easy) * own), is_final);
+        pieces += select(0u, 1u, is_final && !easy);
+        size = min(select(0.5 * own, max(size, select(Real(1.0), 2.0, easy) * own), is_final), sizes.y);
         continuing {
             break if a >= end || !transfer_lasts();
         }

@@ -10,7 +10,7 @@ use glam::DAffine3;
 
 use super::GridUse;
 use super::mesh::{Opened, Reading};
-use super::{Capacity, IndexGrid, Mesh, MeshPart, MeshRequest, MeshSource, Picture, Profile};
+use super::{Capacity, Mesh, MeshPart, MeshRequest, MeshSource, Picture, Profile, SampledGrid};
 use crate::document::Node;
 use crate::document::reader::Reader;
 use crate::document::values::text;
@@ -50,7 +50,7 @@ pub struct Files {
     opened: Option<(PathBuf, Opened)>,
     profile_of: HashMap<PathBuf, Option<Arc<Profile>>>,
     text_of: HashMap<PathBuf, Option<Arc<str>>>,
-    grid_of: HashMap<PathBuf, (GridUse, Arc<IndexGrid>)>,
+    grid_of: HashMap<PathBuf, (GridUse, Arc<SampledGrid>)>,
 }
 
 /// The memory limit for files, and the memory that the loaded files leave.
@@ -260,7 +260,7 @@ impl Files {
     }
 
     /// Returns the grid that a node names, used as `used` specifies.
-    pub fn grid(&mut self, reader: &Reader, node: &Node, used: &GridUse) -> Option<Arc<IndexGrid>> {
+    pub fn grid(&mut self, reader: &Reader, node: &Node, used: &GridUse) -> Option<Arc<SampledGrid>> {
         let (path, identity) = find(reader, node)?;
         if let Some((_, grid)) = self.grid_of.get(&identity).filter(|(before, _)| before == used) {
             return Some(Arc::clone(grid));
@@ -269,8 +269,8 @@ impl Files {
         self.grid_of.remove(&identity);
         let name = path.file_name().unwrap_or_default().to_string_lossy();
         let stage = self.progress.measured(format!("reading {name}"), 1.0);
-        let load = || IndexGrid::read(&path, used, &stage);
-        let grid = Arc::new(accept(reader, node, self.room().load(&path, length(&path), load, IndexGrid::bytes))?);
+        let load = || SampledGrid::read(&path, used, &stage);
+        let grid = Arc::new(accept(reader, node, self.room().load(&path, length(&path), load, SampledGrid::bytes))?);
         self.others.extend(grid.data.clone());
         self.grid_of.insert(identity, (*used, Arc::clone(&grid)));
         Some(grid)

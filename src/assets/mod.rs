@@ -15,11 +15,11 @@ mod winding;
 
 pub use expression::{
     Coefficients, Curve, Emissivity, FanRay, Field, Formula, FormulaError, Function, Graph, Id, Interval, LineElement,
-    Node, Spacetime, Spot, Variable, VolumeField, VolumeFormulas, VolumeTexts,
+    MOST_GRIDS, Node, Spacetime, Spot, Variable, VolumeField, VolumeFormulas, VolumeTexts,
 };
 pub use files::Files;
 pub use gltf::{Gltf, NodeName, Placed, Stored as StoredPicture, image_of, json, names};
-pub use grid::{GridUse, IndexGrid, RawGridLayout, Stored};
+pub use grid::{GridUse, RawGridLayout, SampledGrid, Stored};
 pub use mesh::{Capacity, Held, Mesh, MeshPart, MeshRequest, MeshSource, Vertex};
 pub use picture::Picture;
 pub(crate) use picture::unlikely_exr;

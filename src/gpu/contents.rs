@@ -160,6 +160,13 @@ impl Uploads<'_> {
             "media" => pack(name, layout, self.media(*region)).map(Some),
             "profile" => pack(name, layout, self.profiles(*region)).map(Some),
             "index_samples" => Ok(Some(bytemuck::cast_slice(&self.index_samples(*region)).to_vec())),
+            "volume_samples" => {
+                let grids = self.scene.volumes.iter().flat_map(|volume| &volume.grids);
+                Ok(Some(
+                    bytemuck::cast_slice(&grids.flat_map(|grid| grid.samples.iter().copied()).collect::<Vec<f32>>())
+                        .to_vec(),
+                ))
+            }
             "regions" => pack(name, layout, self.regions()).map(Some),
             own => match self.kinds.iter().find(|binding| binding.name == own) {
                 Some(binding) => pack(name, layout, &binding.rows).map(Some),

@@ -18,7 +18,7 @@ use crate::model::camera::{Camera, frequency, frequency_of_given, observer};
 use crate::model::shape::{Primitive, SOLIDS};
 use crate::model::{Binding, Capture, Material, Object, RigidMotion, Row, row};
 use crate::program::{Layout, Obstacle, constant};
-use crate::scene::{Emitter, Light, LightSource, Segment, Shadows, TransparentShadows};
+use crate::scene::{Emitter, Light, LightSource, Segment, Shadows, TransparentShadows, Volume};
 
 impl Uploads<'_> {
     /// Returns the bindings of the scene's kinds (law, method, camera, control and others).
@@ -51,7 +51,11 @@ impl Uploads<'_> {
         let scene = self.scene;
         let mut bindings = Vec::new();
         let hues = self.program.features.shifts_hues;
-        if hues || scene.used_materials().any(|material| material.surface.facts().has_temperature) {
+        let is_black = |volume: &Volume| scene.radiation.is_none() && volume.formulas.temperature.is_some();
+        if hues
+            || scene.volumes.iter().any(is_black)
+            || scene.used_materials().any(|material| material.surface.facts().has_temperature)
+        {
             bindings.push(black_bodies());
         }
         if scene.used_materials().any(|material| material.surface.facts().orbits) {

@@ -47,6 +47,7 @@ impl Uploads<'_> {
         if !self.scene.volumes.is_empty() {
             all.push(one("transfer", self.transfer()));
             let is_by_law = self.scene.places_volumes_by_law();
+            all.push(volume::grids(&self.scene.volumes));
             all.push(volume::regions(&self.scene.volumes, |own| if is_by_law { DVec3::ZERO } else { own.center() }));
         }
         match rays.segment {

@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use super::ends::{least_light, light_error};
+use super::judged::{least_light, light_error};
 use super::reference::intensities;
 use super::{Known, ReferenceSolution};
 use crate::render::{Status, Traced, Transferred};

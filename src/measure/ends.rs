@@ -2,6 +2,7 @@
 
 use glam::DVec3;
 
+use super::judged::{Spectrum, least_light, light_error};
 use super::{Judged, Quantiles};
 use crate::model::volume::MOST_FREQUENCIES;
 use crate::program::Layer;
@@ -17,9 +18,6 @@ pub fn compared_layers(scene: &Scene, layers: &[Layer]) -> Vec<Layer> {
     let own = LAYERS.into_iter().chain((0..scene.frequencies() as u8).map(Layer::Intensity));
     layers.iter().copied().chain(own.filter(|layer| !layers.contains(layer))).collect()
 }
-
-/// The intensities of a ray at up to this number of frequencies.
-type Spectrum = [f64; MOST_FREQUENCIES];
 
 /// The end of a ray of the image.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -99,27 +97,6 @@ impl End {
 /// Returns the angle between two vectors, in radians, exact for small ones too.
 pub(super) fn angle(a: DVec3, b: DVec3) -> f64 {
     a.cross(b).length().atan2(a.dot(b))
-}
-
-/// The part of the brightest intensity below which errors are relative to it, because they are not seen.
-const FAINT: f64 = 1e-3;
-
-/// Returns the intensities to which errors of fainter ones are relative.
-pub(super) fn least_light<'a>(all: impl Iterator<Item = &'a [f64]>) -> Spectrum {
-    let mut least = Spectrum::default();
-    for light in all {
-        least.iter_mut().zip(light).for_each(|(least, light)| *least = least.max(FAINT * light));
-    }
-    least
-}
-
-/// Returns the largest error of the intensities of a ray, relative to them and at least to `least`.
-pub(super) fn light_error(light: &[f64], truth: &[f64], least: &Spectrum) -> f64 {
-    let relative = |((light, truth), least): ((&f64, &f64), &f64)| match truth.max(*least) {
-        0.0 => 0.0,
-        counts => (light - truth).abs() / counts,
-    };
-    light.iter().zip(truth).zip(least).map(relative).fold(0.0, f64::max)
 }
 
 /// The error, in radians or of the light, above which two rays are unrelated.
@@ -210,15 +187,5 @@ mod tests {
         assert!(error(&end(Status::Captured, 0.0, [0.0; 3], [1.0; 3]), &hit).is_infinite());
         let away = end(Status::Escaped, 0.0, [1.0; 3], [0.0, 0.0, 9.0]);
         assert!((error(&end(Status::Escaped, 0.0, [5.0; 3], [0.0, 1e-6, 1.0]), &away) - 1e-6).abs() < 1e-12);
-    }
-
-    /// Faint light counts relative to the brightest of its frequency.
-    #[test]
-    fn light_is_compared_by_its_frequency() {
-        let rays = [[8.0, 2e-3], [4.0, 1e-9]];
-        let least = least_light(rays.iter().map(|ray| &ray[..]));
-        assert!((least[0] - 8e-3).abs() < 1e-15 && (least[1] - 2e-6).abs() < 1e-18);
-        assert!((light_error(&[4.0, 2e-9], &rays[1], &least) - 1e-9 / 2e-6).abs() < 1e-12);
-        assert!((light_error(&[8.8, 2e-3], &rays[0], &least) - 0.1).abs() < 1e-12);
     }
 }

@@ -1,5 +1,6 @@
 //! The measure of the errors of rays.
 
+use crate::model::volume::MOST_FREQUENCIES;
 use crate::scene::{Accuracy, Scene};
 
 /// The property of rays whose errors count.
@@ -39,5 +40,44 @@ impl Judged {
             Self::Ends => "rad",
             Self::Light => "of their light",
         }
+    }
+}
+
+/// The intensities of a ray at up to this number of frequencies.
+pub(super) type Spectrum = [f64; MOST_FREQUENCIES];
+
+/// The part of the brightest intensity below which errors are relative to it, because they are not seen.
+const FAINT: f64 = 1e-3;
+
+/// Returns the intensities to which errors of fainter ones are relative.
+pub(super) fn least_light<'a>(all: impl Iterator<Item = &'a [f64]>) -> Spectrum {
+    let mut least = Spectrum::default();
+    for light in all {
+        least.iter_mut().zip(light).for_each(|(least, light)| *least = least.max(FAINT * light));
+    }
+    least
+}
+
+/// Returns the largest error of the intensities of a ray, relative to them and at least to `least`.
+pub(super) fn light_error(light: &[f64], truth: &[f64], least: &Spectrum) -> f64 {
+    let relative = |((light, truth), least): ((&f64, &f64), &f64)| match truth.max(*least) {
+        0.0 => 0.0,
+        counts => (light - truth).abs() / counts,
+    };
+    light.iter().zip(truth).zip(least).map(relative).fold(0.0, f64::max)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Faint light counts relative to the brightest of its frequency.
+    #[test]
+    fn light_is_compared_by_its_frequency() {
+        let rays = [[8.0, 2e-3], [4.0, 1e-9]];
+        let least = least_light(rays.iter().map(|ray| &ray[..]));
+        assert!((least[0] - 8e-3).abs() < 1e-15 && (least[1] - 2e-6).abs() < 1e-18);
+        assert!((light_error(&[4.0, 2e-9], &rays[1], &least) - 1e-9 / 2e-6).abs() < 1e-12);
+        assert!((light_error(&[8.8, 2e-3], &rays[0], &least) - 0.1).abs() < 1e-12);
     }
 }

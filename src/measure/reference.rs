@@ -1,6 +1,6 @@
 //! The reference solution: the true ends of rays.
 
-use super::ends::{least_light, light_error};
+use super::judged::{least_light, light_error};
 use crate::gpu::{Gpu, GpuError, adapters};
 use crate::model::control::{embedded, exact};
 use crate::model::method::{CLOSED_FORMS, TOLERANT};

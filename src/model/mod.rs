@@ -17,6 +17,7 @@ pub mod control;
 pub mod cross_section;
 mod dyn_eq;
 pub mod falloff;
+mod grid;
 mod halved;
 pub mod law;
 pub mod material;

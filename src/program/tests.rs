@@ -103,7 +103,7 @@ const MEDIA: [(&str, &str); 7] = [
 ];
 
 /// Modules that no short scene links, or no scene at all, each with a test that does.
-const TESTED: [(&str, &str); 14] = [
+const TESTED: [(&str, &str); 15] = [
     ("device_speed/multiply_add", "json_is_for_scripts"),
     ("device_speed/texture_read", "json_is_for_scripts"),
     ("device_speed/texture_write", "json_is_for_scripts"),
@@ -118,6 +118,7 @@ const TESTED: [(&str, &str); 14] = [
     ("shape/instance", "a_mesh_that_is_kept_once_is_met_where_its_copies_are"),
     ("state/ends", "images_from_maps_have_the_bits_of_new_ones"),
     ("surface/vertex_colors", "vertex_colors_multiply_the_color_of_any_material"),
+    ("volume/grids", "samples_shine_as_their_function"),
 ];
 
 /// Returns the files with this extension in a folder and its subfolders.

@@ -36,6 +36,7 @@ pub(super) fn volume_parts(scene: &Scene, features: &Features, names: &mut Names
     if scene.media().all(|medium| medium.facts().formula.is_none()) && scene.fans().is_empty() && !by_law {
         names.add(FORMULA);
     }
+    names.when(features.volumes.has_grids, &["volume/grids"]);
     names.add(if features.volumes.is_spectral { "picture/radiation" } else { "volume/colored" });
     if features.volumes.bounds_matter {
         names.all(&["real/interval", "volume/bounds"]);
@@ -81,10 +82,31 @@ fn volumes(scene: &Scene, features: &Features) -> Unit {
     if features.volumes.bounds_matter {
         text += &hides(all, channels);
     }
+    if features.volumes.has_grids {
+        text += &cells(all);
+    }
     if let Some(radiation) = &scene.radiation {
         text += &shown(radiation);
     }
     unit("generated/volumes.wgsl", text)
+}
+
+/// The longest piece of a path through a grid, in cells: its six points are not farther apart than samples.
+const CELLS: f64 = 4.0;
+
+/// Generates the number of all grids, and the longest piece in volumes, in scene units.
+fn cells(all: &[Volume]) -> String {
+    let grids = all.iter().map(|volume| volume.grids.len()).sum::<usize>();
+    let mut text = format!(
+        "const VOLUME_GRIDS: u32 = {grids}u;\n\nfn volume_cells(within: u32) -> Real {{\n    var cells: Real = 1e30;\n"
+    );
+    for (v, volume) in all.iter().enumerate() {
+        for grid in &volume.grids {
+            let (bit, length) = (1_u32 << v, CELLS * grid.cell.min_element());
+            let _ = writeln!(text, "    cells = select(cells, min(cells, {length:?}), (within & {bit}u) != 0u);");
+        }
+    }
+    text + "    return cells;\n}\n\n"
 }
 
 /// Returns the radius of a volume that is a sphere around the law's center; infinity if it is all of space.
@@ -106,9 +128,14 @@ fn one(v: usize, volume: &Volume, scene: &Scene, features: &Features) -> String 
     let mut text = String::new();
     let origin = if features.volumes.places_by_law { String::new() } else { format!(", volumes[{v}u].origin") };
     let by = if features.volumes.places_by_law { "law" } else { "origin" };
+    let before: usize = scene.volumes[..v].iter().map(|volume| volume.grids.len()).sum();
+    let mut grids = String::new();
+    for k in 0..volume.grids.len() {
+        let _ = writeln!(grids, "    p.grids[{k}] = grid_value({}u, p.q);", before + k);
+    }
     let _ = writeln!(
         text,
-        "\nfn volume_place_{v}(spot: Spot) -> MatterPlace {{\n    return placed_by_{by}(spot{origin});\n}}\n"
+        "\nfn volume_place_{v}(spot: Spot) -> MatterPlace {{\n    var p = placed_by_{by}(spot{origin});\n{grids}    return p;\n}}\n"
     );
     let mut function = |name: &str, arguments: &str, roots: &[Id]| {
         let (lines, values) = body(formulas.graph(), roots, variables);

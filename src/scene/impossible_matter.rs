@@ -64,7 +64,7 @@ impl Scene {
 
     /// Returns the variables of a volume's formulas at a position, with n = ν = 1; `None` if the law has its own coordinates without an
     /// equator.
-    fn formula_variables(&self, volume: &Volume, x: DVec3) -> Option<[f64; 10]> {
+    fn formula_variables(&self, volume: &Volume, x: DVec3) -> Option<Vec<f64>> {
         let (q, r) = if self.places_volumes_by_law() {
             let [center, _] = self.law.equator()?;
             (self.law.formula_axes().transpose() * (x - center), self.law.spherical(x)?.radius)
@@ -74,6 +74,7 @@ impl Scene {
         };
         let time = self.camera.as_ref().map_or(0.0, |camera| camera.time);
         let cosine = (q.z / r).clamp(-1.0, 1.0);
-        Some([q.x, q.y, q.z, time, r, q.x.hypot(q.y), (1.0 - cosine * cosine).sqrt(), cosine, 1.0, 1.0])
+        let place = [q.x, q.y, q.z, time, r, q.x.hypot(q.y), (1.0 - cosine * cosine).sqrt(), cosine, 1.0, 1.0];
+        Some(place.into_iter().chain(volume.grids.iter().map(|grid| grid.value(q))).collect())
     }
 }

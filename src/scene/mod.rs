@@ -31,8 +31,8 @@ mod vertex_colors;
 mod tests;
 
 pub use crate::assets::{
-    Curve, FanRay, Files, Formula, FormulaError, Function, Gltf, Graph, Id, IndexGrid, Interval, LineElement, Mesh,
-    Node, Picture, Profile, ProfilePoint, Transform, Variable, Vertex,
+    Curve, FanRay, Files, Formula, FormulaError, Function, Gltf, Graph, Id, Interval, LineElement, Mesh, Node, Picture,
+    Profile, ProfilePoint, SampledGrid, Transform, Variable, Vertex,
 };
 pub use crate::document::{ARCSECOND, Diagnostic, KeyReference, Override, SceneError, Units};
 pub use crate::model::absorption::{Density, NoiseColoring, Texture};

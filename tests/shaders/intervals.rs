@@ -47,6 +47,7 @@ const AROUND: &str = "struct Point { q: vec3f }
         low[v][i] = min(low[v][i], value);
         high[v][i] = max(high[v][i], value);
     }
+    fn see_point(v: u32) {}
     fn seen_range(v: u32, i: u32) -> vec2f { return vec2f(low[v][i], high[v][i]); }";
 
 /// Along a line between two points, the range contains all values, and its width follows theirs.

@@ -219,6 +219,7 @@ fn kerr_newman() {
         ("mass", Float(MASS)),
         ("spin", V3(SPIN)),
         ("charge_squared", Float(CHARGE * CHARGE)),
+        ("axis", V3(SPIN.normalize())),
     ];
     let probe = probe.bind("law", [law]);
     let started = probe.run::<2, 6>(&gpu(), LAW, &inputs);

@@ -25,6 +25,7 @@ mod tokens;
 mod tree;
 mod variable;
 mod volume;
+mod volume_texts;
 
 pub use curve::Curve;
 pub use emissivity::Emissivity;
@@ -35,7 +36,8 @@ pub use interval::{Enclosure, Interval};
 pub use line_element::{LineElement, Spot};
 pub use spacetime::{Field, Spacetime};
 pub use variable::Variable;
-pub use volume::{Coefficients, VolumeField, VolumeFormulas, VolumeTexts};
+pub use volume::{Coefficients, MOST_GRIDS, VolumeFormulas};
+pub use volume_texts::{VolumeField, VolumeTexts};
 
 use glam::DVec3;
 use std::fmt;

@@ -5,6 +5,7 @@
 
 use super::spacetime::Reader;
 use super::tree::Name;
+use super::volume_texts::{VolumeField, VolumeTexts};
 use super::{FormulaError, Function, Graph, Id, Node, Variable, check};
 
 /// The variables of functions of position and time, by their index in [`VolumeFormulas::VARIABLES`].
@@ -36,45 +37,10 @@ const ALL: [Name; 9] = [
     Name::Variable("nu", NU),
 ];
 
-/// The formulas of a volume as written.
-#[derive(Debug, Clone, PartialEq)]
-pub struct VolumeTexts {
-    /// The parameters: names for numbers.
-    pub parameters: Vec<(String, f64)>,
-    /// The names for formulas of position; each formula may use the names before it.
-    pub terms: Vec<(String, String)>,
-    /// The density.
-    pub density: String,
-    /// The emission per unit length: one for all channels, or one for each of three.
-    pub emission: Vec<String>,
-    /// The absorption per unit length, likewise.
-    pub absorption: Vec<String>,
-    /// The temperature of black-body emission, in kelvins, instead of the emission.
-    pub temperature: Option<String>,
-    /// The formulas of the motion: none, one, or three components.
-    pub flow: Vec<String>,
-}
-
-/// The text that contains an error.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum VolumeField {
-    /// A name for a number.
-    Parameter(usize),
-    /// A name for a formula.
-    TermName(usize),
-    /// A formula with a name.
-    Term(usize),
-    /// The density.
-    Density,
-    /// A formula of the emission.
-    Emission(usize),
-    /// A formula of the absorption.
-    Absorption(usize),
-    /// The temperature.
-    Temperature,
-    /// A formula of the motion.
-    Flow(usize),
-}
+/// The largest number of grids of a volume.
+pub const MOST_GRIDS: usize = 8;
+/// The variable of the first grid.
+const GRIDS: u8 = 10;
 
 /// The formulas of a volume.
 #[derive(Debug, Clone)]
@@ -105,9 +71,27 @@ impl VolumeFormulas {
     pub const DENSITY: Variable = Variable(8);
     /// The frequency ν/ν₀.
     pub const NU: Variable = Variable(9);
-    /// The names of the variables in WGSL.
-    pub const VARIABLES: [&'static str; 10] =
-        ["p.q.x", "p.q.y", "p.q.z", "p.time", "p.r", "p.rho", "p.sine", "p.cosine", "n", "nu"];
+    /// The names of the variables in WGSL, of which the samples on grids are the last.
+    pub const VARIABLES: [&'static str; 10 + MOST_GRIDS] = [
+        "p.q.x",
+        "p.q.y",
+        "p.q.z",
+        "p.time",
+        "p.r",
+        "p.rho",
+        "p.sine",
+        "p.cosine",
+        "n",
+        "nu",
+        "p.grids[0]",
+        "p.grids[1]",
+        "p.grids[2]",
+        "p.grids[3]",
+        "p.grids[4]",
+        "p.grids[5]",
+        "p.grids[6]",
+        "p.grids[7]",
+    ];
 
     /// Parses the formulas.
     ///
@@ -120,6 +104,11 @@ impl VolumeFormulas {
         for (k, (name, value)) in texts.parameters.iter().enumerate() {
             reader.is_new(name, &ALL).map_err(|error| (VolumeField::Parameter(k), error))?;
             let value = reader.graph.constant(*value);
+            reader.define(name, value, None);
+        }
+        for (k, name) in texts.grids.iter().enumerate() {
+            reader.is_new(name, &ALL).map_err(|error| (VolumeField::GridName(k), error))?;
+            let value = reader.graph.make(Node::Variable(Variable(GRIDS + k as u8)));
             reader.define(name, value, None);
         }
         let of = |reader: &mut Reader, text: &str, names: &'static [Name], field: VolumeField| {
@@ -190,13 +179,21 @@ impl VolumeFormulas {
     /// Returns `true` if the emission or the absorption depends on position or time.
     #[must_use]
     pub fn varies(&self) -> bool {
-        self.contain(&self.light(), |node| matches!(node, Node::Variable(variable) if variable.0 < DENSITY.0))
+        self.contain(
+            &self.light(),
+            |node| matches!(node, Node::Variable(variable) if ![DENSITY, NU].contains(&variable)),
+        )
     }
 
     /// Returns `true` if emission or absorption may have edges, beyond which there is none.
     #[must_use]
     pub fn has_edges(&self) -> bool {
-        let is_edge = |node| matches!(node, Node::Min(..) | Node::Max(..) | Node::Call(Function::Abs, _));
+        let is_grid = |variable: Variable| variable.0 >= GRIDS;
+        let is_edge = |node| match node {
+            Node::Min(..) | Node::Max(..) | Node::Call(Function::Abs, _) => true,
+            Node::Variable(variable) => is_grid(variable),
+            _ => false,
+        };
         self.contain(&self.light(), is_edge)
     }
 
@@ -254,9 +251,9 @@ impl VolumeFormulas {
         }
     }
 
-    /// Returns the values of roots at a position: x, y, z, t, r, rho, sin θ, cos θ, n and ν.
+    /// Returns the values of all nodes at a position: of x, y, z, t, r, rho, sin θ, cos θ, n, ν and the grids.
     #[must_use]
-    pub fn values(&self, variables: &[f64; 10]) -> Vec<f64> {
+    pub fn values(&self, variables: &[f64]) -> Vec<f64> {
         self.graph.evaluate(variables)
     }
 }

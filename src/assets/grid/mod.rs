@@ -1,7 +1,7 @@
-//! Grids: a refractive index as samples on a regular grid, from NRRD files or from raw numbers.
+//! Grids: samples on a regular grid, from NRRD files or from raw numbers: a refractive index, or quantities of matter.
 //!
-//! *Practice.* Samples are at the grid points, x fastest. Stored values are converted to an index by a factor and an offset when they are
-//! read, and are stored in 32 bits, 4 bytes per sample.
+//! *Practice.* Samples are at the grid points, x fastest. Stored values are converted by a factor and an offset when they are read, and are
+//! stored in 32 bits, 4 bytes per sample.
 
 mod nrrd;
 #[cfg(test)]
@@ -12,16 +12,16 @@ use crate::progress::Stage;
 use glam::DVec3;
 use std::path::{Path, PathBuf};
 
-/// Samples of a refractive index.
+/// Samples of a function of position.
 #[derive(Debug, Clone, PartialEq)]
-pub struct IndexGrid {
+pub struct SampledGrid {
     /// The number of samples along x, y and z; 2 or more.
     pub size: [u32; 3],
     /// The position of the first sample, in scene units.
     pub origin: DVec3,
     /// The distance between samples along x, y and z, in scene units.
     pub cell: DVec3,
-    /// The refractive index n at each point, above 0; x fastest, then y.
+    /// The value at each point; x fastest, then y.
     pub samples: Vec<f32>,
     /// The file with the samples, if it is not the header's.
     pub data: Option<PathBuf>,
@@ -118,10 +118,12 @@ pub struct GridUse {
     pub bare: Option<RawGridLayout>,
     /// The positions of the first and the last sample; `None` to use the file's.
     pub corners: Option<[DVec3; 2]>,
-    /// The factor of stored values: n = offset + scale · value.
+    /// The factor of stored values: a sample is offset + scale · value.
     pub scale: f64,
-    /// The offset of n, see `scale`.
+    /// The offset of samples, see `scale`.
     pub offset: f64,
+    /// Is `true` for a refractive index, which must be above 0.
+    pub is_index: bool,
 }
 
 /// Stored numbers, with their position if the file specifies it.
@@ -138,13 +140,13 @@ struct Volume {
 /// The largest number of samples; 32-bit indices could not count more.
 const MOST_SAMPLES: u64 = 1 << 30;
 
-impl IndexGrid {
+impl SampledGrid {
     /// Reads the samples of a file.
     ///
     /// # Errors
     ///
     /// Returns [`SceneError::Read`] if the file cannot be read, and [`SceneError::Grid`] if its samples do not fit `used`, have no known
-    /// position, or make an index that is not above 0.
+    /// position, are not finite, or make an index that is not above 0.
     pub fn load(path: &Path, used: &GridUse) -> Result<Self, SceneError> {
         Self::read(path, used, &Stage::unwatched())
     }
@@ -158,6 +160,33 @@ impl IndexGrid {
             None => nrrd::read(&bytes, path)?,
         };
         Self::from_volume(&volume, used, stage).map_err(unusable)
+    }
+
+    /// Returns the position of the last sample, in scene units.
+    #[must_use]
+    pub fn end(&self) -> DVec3 {
+        self.origin + self.cell * DVec3::from_array(self.size.map(|n| f64::from(n - 1)))
+    }
+
+    /// Returns the value at a position, trilinear between the samples and 0 outside the grid.
+    #[must_use]
+    pub fn value(&self, x: DVec3) -> f64 {
+        let p = (x - self.origin) / self.cell;
+        let last = DVec3::from_array(self.size.map(|n| f64::from(n - 1)));
+        if p.cmplt(DVec3::ZERO).any() || p.cmpgt(last).any() {
+            return 0.0;
+        }
+        let base = p.floor().min(last - 1.0);
+        let part = p - base;
+        let first = base.to_array().map(|at| at as usize);
+        let [width, height, _] = self.size.map(|n| n as usize);
+        let corner = |c: usize| {
+            let steps = [c & 1, c >> 1 & 1, c >> 2];
+            let weight = |axis: usize| if steps[axis] == 1 { part[axis] } else { 1.0 - part[axis] };
+            let at = [0, 1, 2].map(|axis| first[axis] + steps[axis]);
+            weight(0) * weight(1) * weight(2) * f64::from(self.samples[at[0] + width * (at[1] + height * at[2])])
+        };
+        (0..8).map(corner).sum()
     }
 
     /// Returns the memory that the grid takes, in bytes.
@@ -189,11 +218,13 @@ impl IndexGrid {
         for (i, bytes) in volume.bytes.chunks_exact(stored.bytes()).enumerate() {
             let value = stored.number(bytes, little);
             let n = (used.offset + used.scale * value) as f32;
-            if !(n.is_finite() && n > 0.0) {
+            if !n.is_finite() || used.is_index && n <= 0.0 {
                 let (nx, ny) = (size[0] as usize, size[1] as usize);
                 let place = [i % nx, i / nx % ny, i / nx / ny];
+                let wrong = if used.is_index { "n = " } else { "" };
+                let right = if used.is_index { "above 0" } else { "finite" };
                 return Err(format!(
-                    "sample {place:?}, counted from 0, is {value} and makes n = {n}, which must be above 0"
+                    "sample {place:?}, counted from 0, is {value} and makes {wrong}{n}, which must be {right}"
                 ));
             }
             samples.push(n);

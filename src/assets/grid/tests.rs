@@ -1,6 +1,6 @@
 //! Tests of sample files: the contents of valid files, and the errors of invalid ones.
 
-use super::{GridUse, IndexGrid, RawGridLayout, Stored};
+use super::{GridUse, RawGridLayout, SampledGrid, Stored};
 use crate::document::{Diagnostic, SceneError};
 use crate::progress::Progress;
 use glam::DVec3;
@@ -8,7 +8,7 @@ use proptest::prelude::*;
 use std::io::Write as _;
 use std::path::Path;
 
-const AS_IT_IS: GridUse = GridUse { bare: None, corners: None, scale: 1.0, offset: 0.0 };
+const AS_IT_IS: GridUse = GridUse { bare: None, corners: None, scale: 1.0, offset: 0.0, is_index: true };
 const HEADER: &str = "NRRD0004\n# made by hand\ntype: float\ndimension: 3\nsizes: 2 3 2\nencoding: raw\nendian: little\n\
                       spacings: 0.5 1 2\nkey:=value\ncontent: a: b\n";
 
@@ -20,14 +20,14 @@ fn bytes<const N: usize>(of: fn(f32) -> [u8; N]) -> Vec<u8> {
     values().into_iter().flat_map(of).collect()
 }
 
-fn load(header: &str, data: &[u8], used: &GridUse) -> Result<IndexGrid, SceneError> {
+fn load(header: &str, data: &[u8], used: &GridUse) -> Result<SampledGrid, SceneError> {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("a.nrrd");
     std::fs::write(&path, [header.as_bytes(), data].concat()).unwrap();
-    IndexGrid::load(&path, used)
+    SampledGrid::load(&path, used)
 }
 
-fn good(header: &str, data: &[u8]) -> IndexGrid {
+fn good(header: &str, data: &[u8]) -> SampledGrid {
     load(&format!("{header}\n"), data, &AS_IT_IS).unwrap_or_else(|error| panic!("{error}"))
 }
 
@@ -92,13 +92,13 @@ fn samples_may_be_in_a_file_of_their_own() {
         let path = folder.path().join("a.nhdr");
         std::fs::write(&path, header.clone() + ending).unwrap();
         std::fs::write(&data, bytes(f32::to_le_bytes)).unwrap();
-        let grid = IndexGrid::load(&path, &AS_IT_IS).unwrap_or_else(|error| panic!("{error}"));
+        let grid = SampledGrid::load(&path, &AS_IT_IS).unwrap_or_else(|error| panic!("{error}"));
         assert_eq!((grid.samples, grid.data), (values(), Some(folder.path().join("./the samples.raw"))));
         let mut zipper = flate2::write::GzEncoder::new(Vec::new(), flate2::Compression::fast());
         zipper.write_all(&bytes(f32::to_le_bytes)).unwrap();
         std::fs::write(&path, header.replace("encoding: raw", "encoding: gzip")).unwrap();
         std::fs::write(&data, zipper.finish().unwrap()).unwrap();
-        assert_eq!(IndexGrid::load(&path, &AS_IT_IS).unwrap().samples, values());
+        assert_eq!(SampledGrid::load(&path, &AS_IT_IS).unwrap().samples, values());
     }
 }
 
@@ -128,7 +128,7 @@ fn samples_may_follow_lines_and_bytes_that_are_none() {
         let path = folder.path().join("a.nhdr");
         std::fs::write(&path, header + "data file: a.raw\n").unwrap();
         std::fs::write(folder.path().join("a.raw"), data).unwrap();
-        let grid = IndexGrid::load(&path, &AS_IT_IS).unwrap_or_else(|error| panic!("{fields}{encoding}: {error}"));
+        let grid = SampledGrid::load(&path, &AS_IT_IS).unwrap_or_else(|error| panic!("{fields}{encoding}: {error}"));
         assert_eq!(grid.samples, values(), "{fields}{encoding}, detached");
     }
     for (fields, front, found) in [("byte skip: 5\n", 6, 49), ("byte skip: 5\n", 4, 47), ("byte skip: 1000000\n", 0, 0)]
@@ -150,7 +150,7 @@ fn samples_are_reported_as_they_are_read() {
     std::fs::write(&path, [HEADER.as_bytes(), b"\n", &bytes(f32::to_le_bytes)].concat()).unwrap();
     let progress = Progress::watched();
     let stage = progress.measured("reading", 1.0);
-    IndexGrid::read(&path, &AS_IT_IS, &stage).unwrap();
+    SampledGrid::read(&path, &AS_IT_IS, &stage).unwrap();
     assert_eq!(progress.state().and_then(|state| state.done), Some(1.0));
 }
 
@@ -243,7 +243,7 @@ fn samples_that_cannot_be_used_are_refused() {
         let error = load(&format!("{header}\n"), &data, &AS_IT_IS).unwrap_err().to_string();
         assert!(error.contains(problem) && error.contains("a.nrrd"), "{error}");
     }
-    assert!(matches!(IndexGrid::load(Path::new("none.nrrd"), &AS_IT_IS), Err(SceneError::Read { .. })));
+    assert!(matches!(SampledGrid::load(Path::new("none.nrrd"), &AS_IT_IS), Err(SceneError::Read { .. })));
 }
 
 proptest! {

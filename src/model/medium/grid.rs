@@ -5,11 +5,9 @@ use std::sync::Arc;
 use glam::DVec3;
 
 use super::{Kind, Medium, MediumProperties};
-use crate::assets::{Files, GridUse, IndexGrid, RawGridLayout, Stored};
+use crate::assets::SampledGrid;
 use crate::document::keys;
-use crate::document::reader::TableReader;
-use crate::document::values::{array, not_zero, number, point, text, whole, word};
-use crate::model::{Row, row};
+use crate::model::{Row, grid, row};
 
 pub static KIND: Kind = Kind {
     name: "grid",
@@ -25,57 +23,12 @@ pub static KIND: Kind = Kind {
         type (", unless the file is NRRD"): "i8 | u8 | i16 | u16 | i32 | u32 | i64 | u64 | f32 | f64" = "required", "data type of a sample";
         endian (", unless the file is NRRD"): "little | big" = "little", "byte order of a sample";
     },
-    read: |table, _, files| Some(Arc::new(Grid(samples(table, files)?))),
+    read: |table, _, files| Some(Arc::new(Grid(grid::samples(table, files, true)?))),
 };
-
-/// Reads `file`, and the metadata that the file does not contain.
-fn samples(table: &TableReader, files: &mut Files) -> Option<Arc<IndexGrid>> {
-    let file = table.required_node("file", "\"index.nrrd\"");
-    let (min, max) = (table.optional("min", point), table.optional("max", point));
-    let scale = table.or("scale", 1.0, not_zero);
-    let offset = table.or("offset", 0.0, number);
-    let name = table.reader.accept(text(file?))?;
-    let has_header = [".nrrd", ".nhdr"].iter().any(|end| name.to_lowercase().ends_with(end));
-    let bare = if has_header { None } else { Some(bare(table)?) };
-    if !corners_fit(table, min, max) {
-        return None;
-    }
-    let corners = min.zip(max).map(<[DVec3; 2]>::from);
-    if bare.is_some() && corners.is_none() {
-        let help = "for example min = [-1, -1, -1] and max = [1, 1, 1], the positions of the first and the last sample";
-        table.fault(&[], "missing keys `min` and `max`", help);
-        return None;
-    }
-    files.grid(table.reader, file?, &GridUse { bare, corners, scale, offset })
-}
-
-fn bare(table: &TableReader) -> Option<RawGridLayout> {
-    let side = whole(2..=1 << 20);
-    let size = table.required("size", "[64, 64, 64]", array("three whole numbers, [nx, ny, nz]", side));
-    let stored = table.required("type", "\"f32\"", word(Stored::NAMES));
-    let little = table.or("endian", true, word(&[("little", true), ("big", false)]));
-    Some(RawGridLayout { size: size?, stored: stored?, little })
-}
-
-/// Returns `true` if both corners are present and ordered, or if both are missing.
-fn corners_fit(table: &TableReader, min: Option<DVec3>, max: Option<DVec3>) -> bool {
-    if table.gives("min") != table.gives("max") {
-        table.fault(&["min", "max"], "`min` and `max` must be given together", "");
-        return false;
-    }
-    let Some((min, max)) = min.zip(max) else {
-        return !table.gives("min");
-    };
-    let fit = min.cmplt(max).all();
-    if !fit {
-        table.fault(&["max"], "`max` must be above `min` in x, y and z", "");
-    }
-    fit
-}
 
 /// A sampled index of refraction.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Grid(pub Arc<IndexGrid>);
+pub struct Grid(pub Arc<SampledGrid>);
 
 impl Medium for Grid {
     fn facts(&self) -> MediumProperties<'_> {

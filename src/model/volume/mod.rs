@@ -6,6 +6,7 @@
 //! *Practice.* `shaders/volume/transfer.wgsl` integrates this along steps of any motion; the program's generator writes the formulas of the
 //! scene's volumes. Without `[radiation]`, the channels are red, green and blue, and formulas cannot depend on the frequency.
 
+mod grids;
 mod radiation;
 mod read;
 
@@ -15,8 +16,9 @@ use glam::{DVec3, DVec4};
 
 use super::shape::Shape;
 use super::{Binding, Observer, Row, row};
-use crate::assets::{Transform, VolumeFormulas};
+use crate::assets::{SampledGrid, Transform, VolumeFormulas};
 
+pub use grids::bindings as grids;
 pub use radiation::{MOST_FREQUENCIES, Radiation, Show};
 pub(crate) use read::{read, reference};
 
@@ -31,6 +33,8 @@ pub struct Volume {
     pub flow: Flow,
     /// The temperature in kelvins of the black body that has luminance 1 in color.
     pub white: f64,
+    /// The grids of its formulas, in the order of their variables.
+    pub grids: Vec<Arc<SampledGrid>>,
 }
 
 /// The region of a volume.

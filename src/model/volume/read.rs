@@ -5,7 +5,7 @@ use std::ops::Range;
 use glam::DVec3;
 
 use super::radiation::{self, Radiation};
-use super::{Flow, Volume, VolumeRegion};
+use super::{Flow, Volume, VolumeRegion, grids};
 use crate::assets::{Files, Transform, VolumeField, VolumeFormulas, VolumeTexts};
 use crate::document::reader::TableReader;
 use crate::document::values::{angles, choice, extents, number, point, positive, text, word};
@@ -35,6 +35,7 @@ pub(crate) fn reference() -> Vec<KeyReference> {
             flow: "static | eulerian | zamo | prograde-orbit | retrograde-orbit | infalling | table" = "static",
                 "motion of the matter, as an observer at each position, or a table with one of the keys below";
             parameters: "table of numbers" = "{}", "names for numbers in the formulas";
+            grids: "table of tables" = "{}", "names for samples on grids in the formulas, at most 8, each a table with the keys below: trilinear between the samples, and 0 outside";
             terms: "table of formulas" = "{}", "names for formulas of position, each of which may use the ones before it";
         }
         "volumes.flow" {
@@ -53,7 +54,14 @@ pub(crate) fn reference() -> Vec<KeyReference> {
             && SHAPES.iter().any(|name| row.when.contains(&format!("\"{name}\"")))
     });
     let placed = shapes.map(|row| KeyReference { table: "volumes", ..row });
-    own.iter().take(1).cloned().chain(placed).chain(own.iter().skip(1).cloned()).chain(radiation::reference()).collect()
+    own.iter()
+        .take(1)
+        .cloned()
+        .chain(placed)
+        .chain(own.iter().skip(1).cloned())
+        .chain(grids::reference())
+        .chain(radiation::reference())
+        .collect()
 }
 
 /// The shapes that have a norm in WGSL.
@@ -82,6 +90,7 @@ pub(crate) fn read(root: &TableReader, law: Option<&dyn Law>, files: &mut Files)
 fn volume(table: &TableReader, law: Option<&dyn Law>, with_frequencies: bool, files: &mut Files) -> Option<Volume> {
     let region = if table.gives("shape") { Some(region(table, files)?) } else { None };
     let parameters = table.named("parameters", "volumes.parameters", &|node| table.reader.accept(number(node)));
+    let grids = grids::read(table, files);
     let terms = table.named("terms", "volumes.terms", &|node| formula(table, node));
     let density = table.node("density");
     let (emission, source) = (table.node("emission"), table.subtable("source", "volumes.source"));
@@ -106,10 +115,11 @@ fn volume(table: &TableReader, law: Option<&dyn Law>, with_frequencies: bool, fi
         Some(node) => formula(table, node).map(Some),
         None => Some(None),
     };
-    let (parameters, terms) = (parameters?, terms?);
+    let (parameters, grids, terms) = (parameters?, grids?, terms?);
     let (emission_nodes, absorption_nodes) = (parts(table, emission, most)?, parts(table, absorption, most)?);
     let texts = VolumeTexts {
         parameters: parameters.iter().map(|(name, _, value)| (name.clone(), *value)).collect(),
+        grids: grids.iter().map(|(name, ..)| name.clone()).collect(),
         terms: terms.iter().map(|(name, _, value)| (name.clone(), value.clone())).collect(),
         density: optional(density)?.unwrap_or_else(|| "1".to_owned()),
         emission: coefficients(table, &emission_nodes)?,
@@ -119,6 +129,7 @@ fn volume(table: &TableReader, law: Option<&dyn Law>, with_frequencies: bool, fi
     };
     let node_of = |field: VolumeField| match field {
         VolumeField::Parameter(k) => Some(parameters[k].1),
+        VolumeField::GridName(k) => Some(grids[k].1),
         VolumeField::Term(k) | VolumeField::TermName(k) => Some(terms[k].1),
         VolumeField::Density => density,
         VolumeField::Emission(k) => emission_nodes.get(k).copied(),
@@ -127,7 +138,10 @@ fn volume(table: &TableReader, law: Option<&dyn Law>, with_frequencies: bool, fi
         VolumeField::Flow(k) => flows.get(k).copied(),
     };
     let fault = |field: VolumeField, place: Range<usize>, problem: String, help: String| match node_of(field) {
-        Some(node) if matches!(node.value, Value::Text(_)) && !matches!(field, VolumeField::TermName(_)) => {
+        Some(node)
+            if matches!(node.value, Value::Text(_))
+                && !matches!(field, VolumeField::TermName(_) | VolumeField::GridName(_)) =>
+        {
             table.reader.fault_inside(node, place, problem, help);
         }
         Some(node) => table.reader.fault(node.fault(problem, help)),
@@ -142,7 +156,8 @@ fn volume(table: &TableReader, law: Option<&dyn Law>, with_frequencies: bool, fi
         fault(field, 0..length, "`nu` requires the frequencies of light".to_owned(), help);
         return None;
     }
-    Some(Volume { region, formulas, flow, white })
+    let grids = grids.into_iter().map(|(_, _, grid)| grid).collect();
+    Some(Volume { region, formulas, flow, white, grids })
 }
 
 fn region(table: &TableReader, files: &mut Files) -> Option<VolumeRegion> {

@@ -24,6 +24,8 @@ pub struct VolumeFeatures {
     pub bounds_matter: bool,
     /// Matter may end at an edge between the points of a piece.
     pub has_edges: bool,
+    /// Formulas use samples on grids.
+    pub has_grids: bool,
     /// The motion of matter and of the camera changes the frequency of light.
     pub shifts_volumes: bool,
     /// Matter may shine down to a horizon.
@@ -55,6 +57,7 @@ impl VolumeFeatures {
             absorbs_volumes: scene.volumes.iter().any(|volume| !volume.formulas.is_clear()),
             bounds_matter: scene.volumes.iter().any(|volume| volume.formulas.varies()),
             has_edges: transfers && scene.volumes.iter().any(|volume| volume.formulas.has_edges()),
+            has_grids: scene.volumes.iter().any(|volume| !volume.grids.is_empty()),
             shifts_volumes,
             has_horizon: shifts_volumes && scene.horizon().is_some(),
             volumes_change: facts.changes_with_time || scene.volumes.iter().any(|volume| volume.formulas.changes()),

@@ -1,5 +1,7 @@
 //! The requirements of volumes and of light at given frequencies on a scene.
 
+use glam::{BVec3, DMat3, DVec3};
+
 use crate::document::reader::TableReader;
 use crate::model::law::Observer;
 use crate::model::volume::Flow;
@@ -23,6 +25,9 @@ pub fn check(
     if chords {
         root.fault(&["volumes"], "volumes require arcs, and these rays are chords", "use segment = \"arc\"");
     }
+    for (i, volume) in volumes.iter().enumerate() {
+        check_grids(root, law, (i, volume));
+    }
     let has_frequency = !law.facts().momentum_parts.is_empty();
     let has_interiors = rest.objects.iter().any(|object| object.interior().is_some());
     let is_moving = |volume: &Volume| volume.flow != Flow::Observer(Observer::Static);
@@ -41,6 +46,28 @@ pub fn check(
     {
         let problem = "the frequency of light is defined for an observer, and this camera has none";
         root.fault(&["camera"], problem, "add observer = \"static\", or another observer, to [camera]");
+    }
+}
+
+/// Checks that the grids of a volume cover its region.
+fn check_grids(root: &TableReader, law: &dyn Law, (i, volume): (usize, &Volume)) {
+    let Some([lo, hi]) = volume.bounds() else { return };
+    let is_by_law = law.equator().filter(|_| !law.facts().momentum_parts.is_empty());
+    let (axes, origin) =
+        is_by_law.map_or((DMat3::IDENTITY, volume.center()), |[center, _]| (law.formula_axes(), center));
+    let corner = |c: u32| DVec3::select(BVec3::new(c & 1 == 1, c & 2 == 2, c & 4 == 4), hi, lo);
+    for grid in &volume.grids {
+        let slack = 1e-6 * (grid.end() - grid.origin);
+        let is_outside = |q: DVec3| q.cmplt(grid.origin - slack).any() || q.cmpgt(grid.end() + slack).any();
+        if (0..8).any(|c| is_outside(axes.transpose() * (corner(c) - origin))) {
+            let (lo, hi) = (lo - origin, hi - origin);
+            let problem = format!(
+                "volumes[{i}] reaches from {lo} to {hi} in the coordinates of its formulas, and a grid of it only from {} to {}",
+                grid.origin,
+                grid.end()
+            );
+            root.fault(&["volumes"], problem, "choose a smaller shape, or `min` and `max` of the grid that contain it");
+        }
     }
 }
 

@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use super::{SceneError, mistakes_of};
-use crate::assets::{Gltf, GridUse, IndexGrid, Profile};
+use crate::assets::{Gltf, GridUse, Profile, SampledGrid};
 use crate::scene::{Mesh, Scene};
 
 const SQUARE: &str = "v -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\nv 9 9 9\nf 1 2 3 4\n";
@@ -24,8 +24,8 @@ const READERS: [(&str, &str, Read); 7] = [
     ("a.ply", PLY, mesh),
     ("a.stl", STL, mesh),
     ("a.nrrd", NRRD, |path| {
-        let used = GridUse { bare: None, corners: None, scale: 1.0, offset: 0.0 };
-        Ok(format!("{:?}", IndexGrid::load(path, &used)?.samples))
+        let used = GridUse { bare: None, corners: None, scale: 1.0, offset: 0.0, is_index: true };
+        Ok(format!("{:?}", SampledGrid::load(path, &used)?.samples))
     }),
     ("a.csv", CSV, |path| Ok(format!("{:?}", Profile::load(path)?))),
     ("a.toml", SCENE, |path| Ok(format!("{:?}", Scene::load(path, &[])?.rays))),
@@ -74,8 +74,8 @@ fn bytes_behind_a_header_are_taken_as_they_are() {
         let header = NRRD.replace("abcdefgh", "").replace('\n', line_end);
         let samples = *b"\n\r\n\r\r\n\n\r";
         std::fs::write(&path, [header.as_bytes(), &samples].concat()).expect("written");
-        let used = GridUse { bare: None, corners: None, scale: 1.0, offset: 0.0 };
-        let grid = IndexGrid::load(&path, &used).unwrap_or_else(|error| panic!("{error}"));
+        let used = GridUse { bare: None, corners: None, scale: 1.0, offset: 0.0, is_index: true };
+        let grid = SampledGrid::load(&path, &used).unwrap_or_else(|error| panic!("{error}"));
         assert_eq!(grid.samples, samples.map(f32::from));
     }
     let path = folder.path().join("a.ply");

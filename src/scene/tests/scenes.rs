@@ -76,7 +76,8 @@ pub(super) const KINDS: &[&str] = &[
     "[rays]\nbounding_sphere = { radius = 9 }\nlighting = \"path-tracing\"\n[path_tracing]\nmax_depth = 2\n\
      [[objects]]\nshape = \"sphere\"\ninterior = { kind = \"sellmeier\", b = [1], c = [0.01] }\n",
     "[rays]\nbounding_sphere = { radius = 9 }\n[radiation]\nfrequencies = [1]\n[[volumes]]\nshape = \"sphere\"\nflow = { velocity = [0, 0, 0] }\n\
-     source = { black_body = 1 }\n[[volumes]]\nshape = \"box\"\n[[volumes]]\nshape = \"cylinder\"\n",
+     source = { black_body = 1 }\n[[volumes]]\nshape = \"box\"\n\
+     grids = { g = { file = \"g.raw\", size = [2, 2, 2], type = \"u8\", min = [0, 0, 0], max = [1, 1, 1] } }\n[[volumes]]\nshape = \"cylinder\"\n",
     "[rays]\nbounding_sphere = { radius = 1 }\n[animation]\nframes = 3\n[[animation.tracks]]\nkey = \"rays.bounding_sphere.radius\"\n\
      values = [1, 2]\n",
 ];

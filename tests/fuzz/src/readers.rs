@@ -15,7 +15,7 @@ use bentray::output::{csv, merge, picture, said, settings_of};
 use bentray::program::{Program, ProgramError, ProgramOptions};
 use bentray::scene::import::import;
 use bentray::scene::{
-    Curve, FanRay, Formula, FormulaError, Gltf, IndexGrid, Interval, LineElement, Mesh, Override, Picture, Profile,
+    Curve, FanRay, Formula, FormulaError, Gltf, Interval, LineElement, Mesh, Override, Picture, Profile, SampledGrid,
     Scene, follow_as,
 };
 
@@ -240,7 +240,9 @@ fn grid(bytes: &[u8]) {
     let bare = RawGridLayout { size: [2, 2, 3], stored: Stored::U16, little: true };
     with_file("a.nrrd", bytes, |path| {
         for (bare, corners) in [(None, None), (None, corners), (Some(bare), corners)] {
-            let Some(grid) = shown(IndexGrid::load(path, &GridUse { bare, corners, scale: 0.5, offset: 1.0 })) else {
+            let Some(grid) =
+                shown(SampledGrid::load(path, &GridUse { bare, corners, scale: 0.5, offset: 1.0, is_index: true }))
+            else {
                 continue;
             };
             assert_eq!(grid.samples.len() as u64, grid.size.iter().map(|n| u64::from(*n)).product::<u64>());
