@@ -86,7 +86,7 @@ const OTHERS: [&str; 16] = [
 ];
 
 /// Media and their absorption, each inside a sphere, in scenes with these methods.
-const MEDIA: [(&str, &str); 7] = [
+const MEDIA: [(&str, &str); 6] = [
     ("exact", "kind = 'maxwell-fisheye'"),
     ("exact", "kind = 'linear', gradient = [0, 0.1, 0]"),
     ("rkn4", "kind = 'eaton', absorption = { transmittance = '0.5' }"),
@@ -99,7 +99,6 @@ const MEDIA: [(&str, &str); 7] = [
         "rk4",
         "kind = 'noise', amplitude = 0.1, frequency = 2, absorption = { texture = 'ramp', frequency = 2, ramp = 'F', axis = [0, 1, 0] }",
     ),
-    ("rk4", "kind = 'expression', n = '1.2 + 0.1*x'"),
 ];
 
 /// Modules that no short scene links, or no scene at all, each with a test that does.
