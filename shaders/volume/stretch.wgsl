@@ -30,11 +30,12 @@ fn stretch_place(step: Stretch, f: Real) -> Real3 {
     return stretch_phase(step, f)[0].xyz;
 }
 
-// Returns the length of a step, and the largest coordinates along it.
+// Returns about the length of a step, which may return to its start, and the largest coordinates along it.
 fn stretch_extent(step: Stretch, until: Real) -> Real2 {
     let start = step.start[0].xyz;
+    let middle = stretch_place(step, 0.5 * until);
     let end = stretch_place(step, until);
-    return Real2(distance(start, end), max(length(start), length(end)));
+    return Real2(distance(start, middle) + distance(middle, end), max(length(start), max(length(middle), length(end))));
 }
 
 // Returns the decrease of the radius per unit of the step's fraction.

@@ -61,7 +61,8 @@ const GAUSS_WEIGHTS: Real3 = Real3(0.2777777777777778, 0.4444444444444444, 0.277
 const NULL_QUARTIC: Real3 = Real3(0.0297155667, -0.1721331889, 0.5297172973);
 const NULL_CUBIC: Real3 = Real3(0.1361496700, -0.4444444444, 0.3082947744);
 const NULL_LINEAR: Real3 = Real3(0.2777777778, 0.0, -0.2777777778);
-// After this number of pieces of a part that are not easy, the allowed error of each grows, because rounding may not allow less; and then none is cut.
+// After this number of pieces of a part that are not easy, the allowed error of each grows, because rounding may not allow less; and then
+// none is cut.
 const MANY_PIECES: u32 = 512u;
 const TRANSFER_PIECES: u32 = 1024u;
 // The least size of a piece, in rounding errors of positions.
@@ -265,7 +266,7 @@ fn transfer_step(step: Stretch, until: Real) {
         }
         let own = end - a;
         let shortens = cut.unclear && own > REGION_PART * shortest && !is_spent();
-        if cut.within != 0u && !shortens {
+        if cut.within != 0u && !shortens && transfer_lasts() {
             var longest = until;
             if HAS_GRIDS {
                 longest = max(until * volume_cells(cut.within) / max(extent.x, 1e-30), shortest);
