@@ -74,8 +74,8 @@ pub struct ErrorStats {
 }
 
 impl ErrorStats {
-    /// Compares `rays`, and their light if there is `[radiation]`, with the reference solution. For captured rays only the status is compared, because they are black wherever they
-    /// cross the horizon. Pixels without rays are ignored.
+    /// Compares `rays`, and their light if there is `[radiation]`, with the reference solution. For captured rays only the status is
+    /// compared, because they are black wherever they cross the horizon. Pixels without rays are ignored.
     #[must_use]
     pub fn new(rays: &[Traced], spectra: &[Vec<Transferred>], truth: &ReferenceSolution) -> Self {
         let there = |(_, truth): &(&Traced, &Traced)| truth.status != Status::Outside;
