@@ -62,6 +62,7 @@ mod tree;
 mod vertex_colors;
 mod volume_colors;
 mod volume_grids;
+mod volume_laws;
 mod volumes;
 mod warp;
 mod worldlines;

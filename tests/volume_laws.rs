@@ -1,0 +1,45 @@
+//! Tests volumes under laws, precisions and axes that few scenes combine.
+
+use crate::support::scene;
+use crate::volumes::lights_of;
+
+/// A ball of unit emission and radius has the light of its chord under a typed flat metric, and in a uniform medium in 64 bits.
+#[test]
+fn a_ball_is_as_bright_as_its_chord_is_long() {
+    for law in [
+        "[law]\nkind = \"metric\"\nline_element = \"-dt^2 + dx^2 + dy^2 + dz^2\"\nscale = \"1\"\n[rays]\nmethod = \"dormand-prince\"\n",
+        "[law]\nkind = \"medium\"\nindex = { kind = \"constant\", n = 1.3 }\n[rays]\nprecision = \"f64\"\n",
+    ] {
+        let text = format!(
+            "{law}bounding_sphere = {{ radius = 30 }}\n[radiation]\nfrequencies = [1.0]\n[[volumes]]\nshape = \"sphere\"\nemission = \"1 + 1e-9*x\"\n"
+        );
+        let (lights, totals) = lights_of(&scene(&text), &[[5.0, 0.6, 0.0, -1.0, 0.0, 0.0]]);
+        assert!((lights[0][0].intensity - 1.6).abs() < 1e-5, "{law}{lights:?} {totals}");
+    }
+}
+
+/// The polar angle of formulas counts from the axis of the law, also without spin.
+#[test]
+fn angles_count_from_the_axis() {
+    let of = |method: &str| {
+        let text = format!(
+            "[law]\nkind = \"kerr-newman\"\naxis = [1, 0, 0]\n[rays]\nbounding_sphere = {{ radius = 100 }}\nmethod = \"{method}\"\n\
+             [radiation]\nfrequencies = [1.0]\n[[volumes]]\nshape = \"sphere\"\nradius = 15\n\
+             density = \"exp(-(r/10)^2)*(1.5 + cos(theta))\"\nemission = \"n*nu\"\n"
+        );
+        lights_of(&scene(&text), &[[-5.0, 12.0, 4.0, 2.0, -20.0, 3.0]]).0[0][0].intensity
+    };
+    let (one, two) = (of("separated"), of("dormand-prince"));
+    assert!((one / two - 1.0).abs() < 1e-4, "{one} {two}");
+}
+
+/// The optical depth of opaque matter is that of all of it, although nothing behind its first part is seen.
+#[test]
+fn depths_are_whole() {
+    let text = "[rays]\nbounding_sphere = { radius = 30 }\n[radiation]\nfrequencies = [1.0]\n[[volumes]]\n\
+                density = \"exp(-((r - 8)/0.05)^2)\"\nemission = \"n\"\nabsorption = 1e3\n";
+    let (lights, _) = lights_of(&scene(text), &[[20.0, 3.0, 0.0, -1.0, 0.0, 0.0]]);
+    // Of two crossings at an angle whose cosine is √(1 − b²/r²); thickness over radius is 6e-3.
+    let expected = 2.0 * 1e3 * 0.05 * std::f64::consts::PI.sqrt() / (1.0 - 9.0_f64 / 64.0).sqrt();
+    assert!((lights[0][0].optical_depth / expected - 1.0).abs() < 1e-3, "{lights:?} {expected}");
+}
