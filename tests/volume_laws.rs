@@ -43,3 +43,28 @@ fn depths_are_whole() {
     let expected = 2.0 * 1e3 * 0.05 * std::f64::consts::PI.sqrt() / (1.0 - 9.0_f64 / 64.0).sqrt();
     assert!((lights[0][0].optical_depth / expected - 1.0).abs() < 1e-3, "{lights:?} {expected}");
 }
+
+/// A scene warns of matter that cannot be, in its region alone.
+#[test]
+fn impossible_matter_has_a_position() {
+    let warned = |volume: &str| {
+        let law = "[law]\nkind = \"kerr-newman\"\nspin = 0.5\n[rays]\nbounding_sphere = { radius = 30 }\n[radiation]\nfrequencies = [1.0]\n";
+        scene(&format!("{law}[[volumes]]\n{volume}\nemission = 1\n")).warnings().join("\n")
+    };
+    for shape in [
+        "",
+        "shape = \"sphere\"\nradius = 8",
+        "shape = \"box\"\nsize = [9, 8, 7]",
+        "shape = \"cylinder\"\nradius = 6\nheight = 9",
+    ] {
+        // The density is negative only beyond the region, or within it too.
+        let beyond = warned(&format!("{shape}\ndensity = \"31*31 - r^2\""));
+        assert!(beyond.is_empty(), "{shape}: {beyond}");
+        let within = warned(&format!("{shape}\ndensity = \"x\""));
+        assert!(within.contains("volumes[0]: the density is -") && within.contains(" at [-"), "{shape}: {within}");
+    }
+    let fast = warned("shape = \"sphere\"\nradius = 8\nflow = { velocity = [0, 2, 0] }");
+    assert!(fast.contains("the speed is 2.000 of that of light"), "{fast}");
+    let outside = warned("shape = \"cylinder\"\nradius = 6\nheight = 9\ndensity = \"37 - x^2 - z^2\"");
+    assert!(outside.is_empty(), "{outside}");
+}

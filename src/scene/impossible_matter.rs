@@ -3,6 +3,7 @@
 use glam::DVec3;
 
 use super::{Scene, Volume};
+use crate::assets::VolumeFormulas;
 use crate::model::volume::Flow;
 
 /// The number of positions in a volume.
@@ -24,21 +25,22 @@ impl Scene {
         self.volumes.iter().enumerate().filter_map(message).collect()
     }
 
-    /// Returns positions that are spread over a volume, outside the horizon.
+    /// Returns positions that are spread over the part of a volume that rays reach: in the bounding sphere, and outside the horizon.
     fn positions<'a>(&'a self, volume: &'a Volume) -> impl Iterator<Item = DVec3> + 'a {
         let bound = self.rays.bounding_sphere;
         let around = |center: DVec3, radius: f64| [center - radius, center + radius];
         let [lo, hi] = volume.bounds().unwrap_or_else(|| around(bound.center, bound.radius));
         let all = (1..=POSITIONS).map(move |i| lo + (hi - lo) * (f64::from(i) * SEQUENCE).fract());
         let outside = |x: &DVec3| self.horizon().is_none_or(|horizon| horizon.distance(*x) > 0.0);
-        all.filter(move |x| volume.contains(*x)).filter(outside)
+        let is_reached = move |x: &DVec3| x.distance(bound.center) < bound.radius;
+        all.filter(is_reached).filter(move |x| volume.contains(*x)).filter(outside)
     }
 
     /// Returns a problem of the matter of a volume at a position, if there is one.
     fn impossible_at(&self, volume: &Volume, x: DVec3) -> Option<String> {
         let formulas = &volume.formulas;
-        let values = formulas.values(&self.formula_variables(volume, x)?);
-        let density = values[formulas.density.index()];
+        let mut variables = self.formula_variables(volume, x)?;
+        let density = formulas.values(&variables)[formulas.density.index()];
         let is_impossible = |value: f64| !(0.0..=f64::MAX).contains(&value);
         if is_impossible(density) {
             return Some(format!("the density is {density:.3}"));
@@ -47,8 +49,7 @@ impl Scene {
             return None;
         }
         // The density is a variable of the formulas of light.
-        let mut variables = self.formula_variables(volume, x)?;
-        variables[8] = density;
+        variables[usize::from(VolumeFormulas::DENSITY.0)] = density;
         let values = formulas.values(&variables);
         let emissions = formulas.coefficients.iter().map(|channel| ("the emission", channel.emission));
         let absorptions = formulas.coefficients.iter().map(|channel| ("the absorption", channel.absorption));

@@ -77,13 +77,8 @@ impl Volume {
     /// Returns `true` for positions in the region.
     #[must_use]
     pub fn contains(&self, x: DVec3) -> bool {
-        let Some(region) = &self.region else { return true };
-        let p = region.transform.0.inverse().transform_point3(x);
-        match region.name {
-            "sphere" => p.length() < 1.0,
-            "cylinder" => p.x.hypot(p.z).max(p.y.abs()) < 1.0,
-            _ => p.abs().max_element() < 1.0,
-        }
+        let own = |region: &VolumeRegion| region.transform.0.inverse().transform_point3(x);
+        self.region.as_ref().is_none_or(|region| region.shape.contains(own(region)))
     }
 
     /// Returns the lower and upper corner of a box around the region; `None` for all of space.
