@@ -135,8 +135,8 @@ pub fn comparison<'py>(py: Python<'py>, chart: &SceneChart) -> PyResult<Bound<'p
             ("setting", point.setting),
             ("seconds_per_ray", point.time),
             ("evaluations_per_ray", point.evaluations),
-            ("error_median", point.found.seen.median),
-            ("error_p99", point.found.seen.p99),
+            ("error_median", point.found.judged(chart.judged).median),
+            ("error_p99", point.found.judged(chart.judged).p99),
             ("image_rms", point.image),
         ] {
             row.set_item(name, value)?;

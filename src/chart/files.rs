@@ -2,9 +2,11 @@
 
 use std::path::{Path, PathBuf};
 
+use super::transfer::{transfer_chart, write_transfer};
 use super::{MethodCurve, Point, SceneChart};
+use crate::measure::Quantiles;
 use crate::output::OutputError;
-use crate::output::plot::{PrecisionPlot, Series, plot_precision};
+use crate::output::plot::{PrecisionPlot, Series, plot_lines, plot_precision};
 use crate::output::report::{ReportTable, Section};
 use crate::output::table::{Field, Row, Table};
 
@@ -35,6 +37,10 @@ impl Row for Line<'_> {
         "position_p99",
         "position_max",
         "tau_p95",
+        "light_median",
+        "light_p95",
+        "light_p99",
+        "light_max",
         "drift_p95",
         "image_rms",
     ];
@@ -42,6 +48,7 @@ impl Row for Line<'_> {
     fn fields(&self) -> Vec<Field> {
         let Self(name, point) = self;
         let found = &point.found;
+        let light = |of: fn(&Quantiles) -> f64| found.light.as_ref().map_or(f64::NAN, of);
         let numbers = [
             point.setting,
             1e9 * point.time,
@@ -64,6 +71,10 @@ impl Row for Line<'_> {
             found.position.p99,
             found.position.max,
             found.tau.p95,
+            light(|light| light.median),
+            light(|light| light.p95),
+            light(|light| light.p99),
+            light(|light| light.max),
             point.drifts.iter().map(|(_, drift)| *drift).reduce(f64::max).unwrap_or(f64::NAN),
             point.image,
         ];
@@ -74,8 +85,8 @@ impl Row for Line<'_> {
 /// A function that returns the cost of a ray at a setting.
 type Cost = fn(&Point) -> f64;
 
-/// Writes `SCENE.csv`, and `SCENE_time`, `SCENE_evaluations` and the drift of each constant of motion as SVG and PNG into `folder`, and
-/// returns the page's section on them.
+/// Writes `SCENE.csv`, and `SCENE_time`, `SCENE_evaluations` and the drift of each constant of motion as SVG and PNG into `folder`, for a
+/// scene with `[radiation]` also `SCENE_transfer`, and returns the page's section on them.
 ///
 /// # Errors
 ///
@@ -102,6 +113,16 @@ pub fn write_chart(folder: &Path, chart: &SceneChart) -> Result<Section, OutputE
         images.push((
             PathBuf::from(format!("{}_{name}.svg", chart.scene)),
             format!("{}: error against {label}", chart.scene),
+        ));
+    }
+    if !chart.transfer.is_empty() {
+        write_transfer(&file("_transfer.csv"), &chart.transfer)?;
+        for format in ["svg", "png"] {
+            plot_lines(&file(&format!("_transfer.{format}")), &transfer_chart(&chart.scene, &chart.transfer))?;
+        }
+        images.push((
+            PathBuf::from(format!("{}_transfer.svg", chart.scene)),
+            format!("{}: tolerance of the radiation against error", chart.scene),
         ));
     }
     for name in kept(chart) {
@@ -155,11 +176,11 @@ fn known(error: f64) -> f64 {
 fn plot(chart: &SceneChart, label: &str, cost: Cost) -> PrecisionPlot {
     let curve = |curve: &MethodCurve| Series {
         name: curve.name.to_owned(),
-        points: curve.points.iter().map(|point| [known(point.found.seen.p95), cost(point)]).collect(),
+        points: curve.points.iter().map(|point| [known(chart.error(point)), cost(point)]).collect(),
     };
     PrecisionPlot {
         title: chart.scene.clone(),
-        x_label: "error, 95th percentile (rad)".to_owned(),
+        x_label: format!("{}, 95th percentile", chart.judged.label()),
         y_label: label.to_owned(),
         curves: chart.curves.iter().map(curve).collect(),
         floor: Some(chart.floor()).filter(|floor| floor.is_finite()),
@@ -172,8 +193,9 @@ const ERRORS: [f64; 5] = [1e-2, 1e-3, 1e-4, 1e-5, 1e-6];
 /// Returns the fastest method at each error, as header and rows.
 #[must_use]
 pub fn fastest_table(chart: &SceneChart) -> (Vec<String>, Vec<Vec<String>>) {
-    let header =
-        ["error (rad, 95 %)", "fastest", "ns per ray", "evaluations", "wrong ends"].map(str::to_owned).to_vec();
+    let header = [&format!("{}, 95 %", chart.judged.label()), "fastest", "ns per ray", "evaluations", "wrong ends"]
+        .map(str::to_owned)
+        .to_vec();
     let row = |error: f64| match chart.fastest(error) {
         Some((_, point)) => vec![
             format!("{error:.0e}"),
@@ -193,9 +215,10 @@ fn section(chart: &SceneChart, images: Vec<(PathBuf, String)>) -> Section {
     let intro = format!(
         "Times are medians over {} rays. Errors are those of {compared} rays relative to a 64-bit reference \
          solution; {unresolved} more rays have an unresolved end. The smallest error of any method is \
-         {:.1e} rad.",
+         {:.1e} {}.",
         chart.rays,
-        chart.floor()
+        chart.floor(),
+        chart.judged.unit(),
     );
     let caption = "The fastest method".to_owned();
     Section {

@@ -5,6 +5,8 @@ mod formulas;
 mod noise;
 mod stability;
 mod sweep;
+mod timed;
+mod transfer;
 
 pub use files::{fastest_table, write_chart};
 pub use formulas::{
@@ -13,3 +15,4 @@ pub use formulas::{
 pub use noise::{noise_chart, noise_sum, wrapped_chart};
 pub use stability::{Outcome, StabilityCase, default_settings};
 pub use sweep::{MethodCurve, Point, SceneChart, Sweep};
+pub use transfer::TransferPoint;

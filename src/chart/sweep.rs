@@ -3,10 +3,13 @@
 //! *Practice.* Errors come from a few hundred rays with a precise reference solution. Times are medians of repeats of the image's advance
 //! passes, at a size of at least the required number of rays. Each method's program is compiled once, because only numbers change.
 
+use super::timed::timed;
+use super::transfer::{TransferPoint, transfer_points};
 use crate::gpu::Gpu;
 use crate::measure::{
-    Candidate, ErrorStats, ReferenceSolution, all_methods, drift, evaluations, method_words, scattered,
+    Candidate, ErrorStats, Judged, ReferenceSolution, all_methods, drift, evaluations, method_words, scattered,
 };
+use crate::model::control::Control;
 use crate::program::{ProgramOptions, Schedule};
 use crate::render::{RenderError, RenderSettings, Renderer, Starts, Traced, Tracer};
 use crate::scene::Scene;
@@ -71,8 +74,12 @@ pub struct SceneChart {
     pub rays: u64,
     /// The number of rays whose error was measured, and the number without a reference solution.
     pub compared: [usize; 2],
+    /// The measure of the errors.
+    pub judged: Judged,
     /// The methods.
     pub curves: Vec<MethodCurve>,
+    /// The tolerances of `[radiation]`; empty without it.
+    pub transfer: Vec<TransferPoint>,
 }
 
 /// The tolerance of the reference solution.
@@ -80,11 +87,8 @@ const TOLERANCE: f64 = 1e-12;
 /// The largest number of segments of a path; settings that need more are too slow.
 const SEGMENTS: u32 = 20_000;
 
-struct Measured {
-    seconds: f64,
-    spread: f64,
-    colors: Vec<f32>,
-}
+/// A setting that was measured: its error and time, the method and the setting.
+type Tried = (f64, f64, Candidate, Control);
 
 impl Sweep<'_> {
     /// Measures every requested method of `scene`.
@@ -107,6 +111,8 @@ impl Sweep<'_> {
         let reference = self.reference_picture(&scene)?;
         let mut curves = Vec::new();
         let mut fastest = f64::INFINITY;
+        let judged = Judged::of_image(&scene);
+        let mut tried: Vec<Tried> = Vec::new();
         let candidates: Vec<Candidate> = all_methods(&scene).into_iter().filter(wanted).collect();
         let stage = self.gpu.progress.counted("method", candidates.len());
         for (i, candidate) in candidates.into_iter().enumerate() {
@@ -115,11 +121,29 @@ impl Sweep<'_> {
             // The number of renders of a method is not known in advance.
             let _renders = self.gpu.progress.stage(candidate.name);
             let points = self.method(&scene, &candidate, starts, &truth, &reference, &mut fastest)?;
+            let settings = points.iter().zip(&candidate.controls);
+            tried.extend(
+                settings
+                    .map(|(point, control)| (point.found.judged(judged).p95, point.time, candidate.clone(), *control)),
+            );
             curves.push(MethodCurve { name: candidate.name, points });
         }
+        let transfer = match fastest_accurate(&tried).filter(|_| scene.radiation.is_some()) {
+            Some((_, _, candidate, control)) => {
+                progress("tolerances of the radiation");
+                transfer_points(
+                    self.gpu,
+                    (self.schedule, self.repeats),
+                    &candidate.applied(&scene, *control),
+                    starts,
+                    &truth,
+                )?
+            }
+            None => Vec::new(),
+        };
         let rays = u64::from(scene.image.size[0]) * u64::from(scene.image.size[1]);
         let compared = [pixels.len() - truth.unresolved(), truth.unresolved()];
-        Ok(SceneChart { scene: name.to_owned(), rays, compared, curves })
+        Ok(SceneChart { scene: name.to_owned(), rays, compared, judged, curves, transfer })
     }
 
     /// Returns the scene with one sample per pixel and as many pixels as required rays, with the image's aspect ratio.
@@ -194,18 +218,10 @@ impl Sweep<'_> {
     }
 }
 
-/// Renders the image a few times, and returns the time of the advance passes in seconds.
-fn timed(renderer: &mut Renderer, repeats: usize) -> Result<Measured, RenderError> {
-    let mut seconds = Vec::new();
-    let mut colors = Vec::new();
-    for _ in 0..repeats {
-        let picture = renderer.render()?;
-        seconds.push(picture.totals.advance().as_secs_f64());
-        colors = picture.band.color.concat();
-    }
-    seconds.sort_by(f64::total_cmp);
-    let spread = seconds[repeats - 1] / seconds[0];
-    Ok(Measured { seconds: seconds[repeats / 2], spread, colors })
+/// Returns the fastest setting with an error of at most twice the smallest.
+fn fastest_accurate(tried: &[Tried]) -> Option<&Tried> {
+    let least = tried.iter().map(|setting| setting.0).fold(f64::INFINITY, f64::min);
+    tried.iter().filter(|setting| setting.0 <= 2.0 * least).min_by(|a, b| a.1.total_cmp(&b.1))
 }
 
 /// Returns the drift relative to the constants at the true end, which equal those at the start.
@@ -227,10 +243,16 @@ fn root_mean_square(a: &[f32], b: &[f32]) -> f64 {
 }
 
 impl SceneChart {
+    /// Returns the error that 95 of 100 rays have at most.
+    #[must_use]
+    pub fn error(&self, point: &Point) -> f64 {
+        point.found.judged(self.judged).p95
+    }
+
     /// Returns the least error that any method reached (for 95 of 100 rays), which rounding limits.
     #[must_use]
     pub fn floor(&self) -> f64 {
-        let errors = self.curves.iter().flat_map(|curve| &curve.points).map(|point| point.found.seen.p95);
+        let errors = self.curves.iter().flat_map(|curve| &curve.points).map(|point| self.error(point));
         errors.filter(|error| *error > 0.0).fold(f64::INFINITY, f64::min)
     }
 
@@ -238,6 +260,6 @@ impl SceneChart {
     #[must_use]
     pub fn fastest(&self, error: f64) -> Option<(&MethodCurve, &Point)> {
         let all = self.curves.iter().flat_map(|curve| curve.points.iter().map(move |point| (curve, point)));
-        all.filter(|(_, point)| point.found.seen.p95 <= error).min_by(|a, b| a.1.time.total_cmp(&b.1.time))
+        all.filter(|(_, point)| self.error(point) <= error).min_by(|a, b| a.1.time.total_cmp(&b.1.time))
     }
 }

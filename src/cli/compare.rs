@@ -202,7 +202,7 @@ fn print(chart: &SceneChart) -> Result<(), Error> {
     let [compared, unresolved] = chart.compared;
     say!("\n{}: {} rays timed, {compared} compared, {unresolved} unresolved", chart.scene, chart.rays);
     let (header, rows) = fastest_table(chart);
-    say!("{}smallest error (95 %): {:.1e} rad", text_table(&header, &rows), chart.floor());
+    say!("{}smallest error (95 %): {:.1e} {}", text_table(&header, &rows), chart.floor(), chart.judged.unit());
     Ok(())
 }
 
@@ -216,7 +216,8 @@ fn opening(device: &str, sweep: &Sweep) -> Section {
         ),
         "Each curve shows one method at several settings. Ringed points are on the Pareto front: no other point is \
          both faster and more accurate. The error of a ray is the angle between its direction and that of the \
-         reference solution; a ray that ends on another object, or with another status, exceeds every bound."
+         reference solution; a ray that ends on another object, or with another status, exceeds every bound. In a scene \
+         with [radiation], it is the error of the ray's light, relative to it."
             .to_owned(),
     ];
     Section { title: "Measurement conditions".to_owned(), intro, images: Vec::new(), tables: Vec::new() }

@@ -4,7 +4,8 @@ use std::fmt;
 
 use super::judged::{least_light, light_error};
 use super::reference::intensities;
-use super::{Known, ReferenceSolution};
+use super::{Judged, Known, ReferenceSolution};
+use crate::model::volume::MOST_FREQUENCIES;
 use crate::render::{Status, Traced, Transferred};
 
 /// Quantiles of errors.
@@ -112,6 +113,15 @@ impl ErrorStats {
             light: (!truth.light.is_empty()).then(|| light_errors(spectra, truth)),
         }
     }
+
+    /// Returns the errors of a measure.
+    #[must_use]
+    pub fn judged(&self, judged: Judged) -> &Quantiles {
+        match (judged, &self.light) {
+            (Judged::Light, Some(light)) => light,
+            _ => &self.seen,
+        }
+    }
 }
 
 /// Returns the errors of the intensities of rays whose light is known.
@@ -119,6 +129,20 @@ fn light_errors(spectra: &[Vec<Transferred>], truth: &ReferenceSolution) -> Quan
     let least = least_light(truth.light.iter().flatten().map(Vec::as_slice));
     let pairs = intensities(spectra).into_iter().zip(&truth.light);
     Quantiles::of(pairs.filter_map(|(light, truth)| Some(light_error(&light, truth.as_ref()?, &least))).collect())
+}
+
+/// Returns the error of the light of all rays together, relative to it: the largest of all frequencies. Rays whose light is not known do not
+/// count.
+#[must_use]
+pub fn flux_error(spectra: &[Vec<Transferred>], truth: &ReferenceSolution) -> f64 {
+    let mut sums = [[0.0; 2]; MOST_FREQUENCIES];
+    for (light, truth) in intensities(spectra).iter().zip(&truth.light) {
+        for ((sum, light), truth) in sums.iter_mut().zip(light).zip(truth.iter().flatten()) {
+            *sum = [sum[0] + light, sum[1] + truth];
+        }
+    }
+    let errors = sums.iter().filter(|[_, truth]| *truth > 0.0).map(|[light, truth]| (light / truth - 1.0).abs());
+    errors.fold(0.0, f64::max)
 }
 
 fn seen(ray: &Traced, truth: &Traced) -> f64 {

@@ -41,6 +41,15 @@ impl Judged {
             Self::Light => "of their light",
         }
     }
+
+    /// Returns the name of an error with its unit.
+    #[must_use]
+    pub fn label(self) -> &'static str {
+        match self {
+            Self::Ends => "error (rad)",
+            Self::Light => "relative error of the light",
+        }
+    }
 }
 
 /// The intensities of a ray at up to this number of frequencies.

@@ -30,7 +30,7 @@ mod winding;
 pub use crate::model::method::method_words;
 pub use calibrate::{Calibration, Preparation, calibrate, calibrate_for};
 pub use curve::Curve;
-pub use deviation::{ErrorStats, Quantiles};
+pub use deviation::{ErrorStats, Quantiles, flux_error};
 pub use drift::drift;
 pub use ends::{Settled, compared_layers};
 pub use focus::{Focus, focus};

@@ -188,6 +188,26 @@ fn a_chart_is_tables_plots_and_a_page() {
     folder.run("compare all -o report").fails(1, &["no scenes in scenes", "--scenes"]);
 }
 
+/// With `[radiation]`, a chart's errors are those of the light, and they converge with its tolerance.
+#[test]
+fn a_chart_of_radiation_has_errors_of_light() {
+    let folder = Folder::with(
+        "[image]\nsize = [32, 32]\n[camera]\nposition = [0, 0, 20]\nfov = 30\nobserver = \"static\"\n[law]\nkind = \"schwarzschild\"\n\
+         [rays]\nbounding_sphere = { radius = 60 }\n[radiation]\nfrequencies = [1.0]\n[[volumes]]\nshape = \"sphere\"\nradius = 12\n\
+         density = \"exp(-((r - 7)/0.6)^2)\"\nemission = \"n\"\nabsorption = \"3*n\"\n",
+    );
+    let ran = folder
+        .run("compare scene.toml -o report --rays 1000 --compared 60 --repeats 1 --slowest 4 --methods planar")
+        .succeeds();
+    assert!(ran.out.contains("relative error of the light, 95 %") && ran.out.contains("of their light"), "{}", ran.out);
+    let text = folder.text("report/scene_transfer.csv");
+    let rows: Vec<Vec<f64>> =
+        text.lines().skip(1).map(|line| line.split(',').map(|word| word.parse().unwrap()).collect()).collect();
+    let [loose, tight] = [&rows[0], &rows[4]];
+    assert!(rows.len() == 7 && tight[3] < 0.1 * loose[3] && tight[3] < 1e-4 && tight[6] < 1e-5, "{text}");
+    assert!(folder.text("report/index.html").contains("scene_transfer.svg"));
+}
+
 #[test]
 fn places_where_methods_fail_are_a_table() {
     let folder = Folder::with(BALL);
