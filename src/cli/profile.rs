@@ -13,7 +13,7 @@ use super::{of_scene, paths};
 use crate::assets::{Emissivity, FormulaError};
 use crate::document::{Dimension, Quantity};
 use crate::error::Error;
-use crate::measure::profile::{self, Kind, Orders, Point};
+use crate::measure::profile::{self, Kind, Orders, Point, RadiationSpectrum};
 use crate::output::plot::{Chart, Series, check_plot, plot_lines};
 use crate::output::table::{Field, Row, Table};
 use crate::output::{OutputError, has_extension};
@@ -21,7 +21,7 @@ use crate::program::CROSSINGS;
 use crate::render::{RenderError, StartUp};
 use crate::scene::Scene;
 
-/// Compute a line profile, a light curve or a spectrum of a scene's disk as seen by its camera, as a table and as a plot
+/// Compute a line profile, a light curve or a spectrum of a scene's disk or volumes as seen by its camera, as a table and as a plot
 #[derive(Debug, Args)]
 pub(super) struct Arguments {
     /// The scene file, or - for standard input
@@ -96,12 +96,21 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Error> {
     let (plots, tables): (Vec<&PathBuf>, Vec<&PathBuf>) =
         arguments.output.iter().partition(|path| has_extension(path, "svg") || has_extension(path, "png"));
     plots.iter().try_for_each(|path| check_plot(path))?;
-    let tables = tables.into_iter().map(|path| create(kind, path)).collect::<Result<Vec<_>, _>>()?;
+    let radiates = kind == Kind::Spectrum && scene.radiation.is_some();
+    let create = |path| if radiates { Table::create::<Radiated>(path) } else { create(kind, path) };
+    let tables = tables.into_iter().map(|path| create(path)).collect::<Result<Vec<_>, _>>()?;
     let gpu = opening.finish()?;
     let settings = arguments.device.settings(Vec::new());
     let [width, height] = scene.image.size.map(u64::from);
     let Settled { scene, settings, .. } =
         settle(&gpu, (&film, None), scene, settings, Rays::Camera(width * height), &mut StartUp::default())?;
+    if let Some(radiation) = scene.radiation.as_ref().filter(|_| radiates) {
+        let count = arguments.points as usize;
+        let found = RadiationSpectrum::new(&gpu, (&scene, radiation), &settings, range, count)?;
+        tell!("{}", found.totals);
+        warn(&found.totals);
+        return write_spectrum(found, tables, &plots);
+    }
     let (emissions, totals) = profile::emissions(&gpu, &scene, &settings, objects)?;
     tell!("{totals}");
     warn(&totals);
@@ -127,6 +136,18 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Error> {
     Ok(plots.into_iter().try_for_each(|path| plot_lines(path, &chart))?)
 }
 
+/// Writes a spectrum of volumes.
+fn write_spectrum(found: RadiationSpectrum, tables: Vec<Table>, plots: &[&PathBuf]) -> Result<(), Error> {
+    for mut table in tables {
+        found.points.iter().try_for_each(|point| table.write(&Radiated(*point)))?;
+        table.finish()?;
+    }
+    let x = if found.in_hertz { "frequency (Hz)" } else { "frequency (ν₀)" };
+    let y = if found.in_janskys { "flux (Jy)" } else { "flux (intensity × scene units²)" };
+    let chart = Chart::logarithmic("", [x, y], vec![Series::new("all", found.points)]);
+    Ok(plots.iter().try_for_each(|path| plot_lines(path, &chart))?)
+}
+
 /// Returns a range in the units of the table.
 fn resolved(kind: Kind, range: &[Bound; 2], scene: &Scene) -> Result<[f64; 2], Error> {
     let wanted = match kind {
@@ -147,6 +168,9 @@ fn resolved(kind: Kind, range: &[Bound; 2], scene: &Scene) -> Result<[f64; 2], E
                 read.text.trim()
             )),
         },
+        Bound::Quantity(read) if scene.radiation.as_ref().is_some_and(|radiation| radiation.reference.is_none()) => {
+            Err(usage!("--range: `{}` requires a scale: give radiation.frequencies units", read.text.trim()))
+        }
         Bound::Quantity(read) => Ok(read.si),
     };
     Ok([value(&range[0])?, value(&range[1])?])
@@ -172,6 +196,17 @@ fn chart(kind: Kind, points: &[Point], scene: &Scene) -> Chart {
         Kind::Line => Chart::linear("", ["redshift factor g", "flux per g (emissivity × sr)"], series),
         Kind::LightCurve => Chart::linear("", [&time_label(scene), "flux (emissivity × sr)"], series),
         Kind::Spectrum => Chart::logarithmic("", ["frequency (Hz)", "flux (Jy)"], series),
+    }
+}
+
+/// A row of the table of a spectrum of volumes.
+struct Radiated([f64; 2]);
+
+impl Row for Radiated {
+    const COLUMNS: &'static [&'static str] = &["frequency", "flux"];
+
+    fn fields(&self) -> Vec<Field> {
+        self.0.map(|value| Field::Number(Some(value))).to_vec()
     }
 }
 

@@ -39,6 +39,38 @@ fn the_three_kinds_are_written_as_tables_and_plots() {
     assert!((flux("1kpc") / flux("2kpc") - 4.0).abs() < 1e-9);
 }
 
+/// The spectrum of a scene with `[radiation]` is the flux of its image at each frequency.
+#[test]
+fn a_spectrum_is_the_flux_of_the_image() {
+    let ball = "[image]\nsize = [24, 24]\n[camera]\nposition = [0, 0, 9]\nobserver = \"static\"\n[rays]\nbounding_sphere = { radius = 30 }\n\
+        [radiation]\nfrequencies = [2.0, 6.0]\n[[volumes]]\nshape = \"sphere\"\nemission = \"exp(-r^2)/(1 + nu)\"\nabsorption = \"nu^-2\"\n";
+    let folder = Folder::with(ball);
+    folder.run("profile scene.toml --of spectrum --points 11 --range 2,6 -o a.csv -o a.svg").succeeds();
+    let text = folder.text("a.csv");
+    let rows: Vec<[f64; 2]> = text
+        .lines()
+        .skip(1)
+        .map(|line| line.split_once(',').map(|(x, y)| [x, y].map(|word| word.parse().unwrap())).unwrap())
+        .collect();
+    assert_eq!((text.lines().next(), rows.len()), (Some("frequency,flux"), 11));
+    let rendered = folder.run("render scene.toml -o a.exr --json").succeeds();
+    let image: serde_json::Value = serde_json::from_str(&rendered.out).unwrap();
+    for (row, k) in [(rows[0], 0), (rows[10], 1)] {
+        let report = &image["radiation"][k];
+        let [frequency, flux] = ["frequency", "flux"].map(|key| report[key].as_f64().unwrap());
+        assert!((row[0] / frequency - 1.0).abs() < 1e-12 && (row[1] / flux - 1.0).abs() < 1e-5, "{row:?} {report}");
+    }
+    assert!(folder.text("a.svg").contains("frequency (ν₀)"));
+    for (arguments, problem) in [
+        ("--object 0", "the whole image: remove --object"),
+        ("--range 1GHz,2GHz", "give radiation.frequencies units"),
+        ("--set camera.kind=\"fisheye\"", "no plane on which light could be summed"),
+    ] {
+        let ran = folder.run(&format!("profile scene.toml --of spectrum -o a.csv {arguments}"));
+        assert!(ran.code != Some(0) && ran.err.contains(problem), "{arguments}: {}", ran.err);
+    }
+}
+
 #[test]
 fn what_cannot_be_measured_is_an_error() {
     let folder = Folder::with(DISK);
@@ -52,7 +84,7 @@ fn what_cannot_be_measured_is_an_error() {
         (1, "--of light-curve --range 0,2h", "requires the scale of the scene: add [units]"),
         (1, "--of light-curve --range 0,1GHz", "`1GHz` is a frequency, but a time is required here"),
         (1, "--range 2,1", "the first value must be below the second"),
-        (1, "--object 3", "the scene has 1 objects"),
+        (1, "--object 3", "the scene has 1 object,"),
         (1, "--set camera.observer=\"coordinate\"", "requires camera.observer"),
         (1, "-o scene.toml", "would be overwritten"),
     ] {

@@ -13,7 +13,8 @@ pub enum Kind {
     Line,
     /// The flux over all frequencies at a time of the observer, in the unit of the emissivity times steradians.
     LightCurve,
-    /// The flux per frequency of surfaces that radiate as black bodies, in janskys, at frequencies in hertz.
+    /// The flux per frequency, in janskys at frequencies in hertz: of surfaces that radiate as black bodies, or of the whole image with
+    /// `[radiation]`.
     Spectrum,
 }
 
@@ -40,7 +41,9 @@ impl Kind {
         match self {
             Self::Line => "Flux of a spectral line per redshift factor g",
             Self::LightCurve => "Flux over all frequencies against the observer's time",
-            Self::Spectrum => "Flux per frequency of surfaces that radiate as black bodies, in janskys",
+            Self::Spectrum => {
+                "Flux per frequency: of surfaces that radiate as black bodies, or of the image with [radiation]"
+            }
         }
     }
 
@@ -81,17 +84,33 @@ impl Kind {
         if scene.camera.as_ref().is_some_and(|camera| camera.stereo.is_some()) {
             return Some("a profile is for one eye: remove camera.stereo".to_owned());
         }
+        if self == Self::Spectrum && scene.radiation.is_some() {
+            return refuses_radiation(scene, objects).map(str::to_owned);
+        }
         if let Some(refusal) = Layer::CrossingRedshift.refused_by(scene) {
             return Some(refusal.to_owned());
         }
         if let Some(index) = objects.into_iter().flatten().find(|index| **index as usize >= count) {
-            return Some(format!("there is no object {index}: the scene has {count} objects, counted from 0"));
+            let objects = if count == 1 { "object" } else { "objects" };
+            return Some(format!("there is no object {index}: the scene has {count} {objects}, counted from 0"));
         }
         let mut surfaces = scene.objects.iter().filter_map(|object| Some(&scene.materials[object.material()?].surface));
         let is_cold = self == Self::Spectrum && surfaces.all(|surface| surface.temperature().is_none());
         let missing = "a spectrum requires a surface with a temperature in kelvins: set `temperature` of a material of \
                        kind accretion or blackbody";
         is_cold.then(|| missing.to_owned())
+    }
+}
+
+/// Returns why a scene with `[radiation]` has no spectrum with the light of these objects, or of all.
+fn refuses_radiation(scene: &Scene, objects: Option<&[u32]>) -> Option<&'static str> {
+    let has_plane = scene.camera.as_ref().is_some_and(|camera| camera.pixel_length(scene.image.size).is_some());
+    match objects {
+        Some(_) => Some("with [radiation], a spectrum is that of the whole image: remove --object"),
+        None if !has_plane => {
+            Some("the camera has no plane on which light could be summed: use pinhole or orthographic")
+        }
+        None => None,
     }
 }
 

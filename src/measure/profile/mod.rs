@@ -10,6 +10,7 @@
 
 mod fluxes;
 mod kind;
+mod radiation;
 
 use std::collections::VecDeque;
 
@@ -23,6 +24,7 @@ use crate::scene::{Camera, Scene};
 
 pub use fluxes::{InvalidEmissivity, Orders, light_curve, line, planck, spectrum};
 pub use kind::{Kind, Point, measure};
+pub use radiation::RadiationSpectrum;
 
 /// The light of one crossing of a surface in one pixel.
 #[derive(Debug, Clone, Copy, PartialEq)]
