@@ -39,7 +39,8 @@ use crate::scene::{CutPlane, Scene};
 pub(super) struct Arguments {
     /// The scene file, or - for standard input; its camera is used only with --pixel
     scene: PathBuf,
-    /// A CSV file with the header x,y,z,vx,vy,vz: start and velocity of each ray, used unchanged; `-` is standard input
+    /// A CSV file with the header x,y,z,vx,vy,vz: start and velocity of each ray, used unchanged
+    /// (without forces and with `[radiation]`, the speed is that of light); `-` is standard input
     #[arg(long, value_name = "FILE")]
     rays: Option<PathBuf>,
     /// Rays from a point, such as "from=[-5,0,0] toward=[0,0,0] spread=30 count=9", with SPREAD degrees between the outermost rays

@@ -226,7 +226,7 @@ pub fn calibrate(
     settings: &RenderSettings,
     given: Option<&[[f64; 6]]>,
 ) -> Result<Option<Calibration>, RenderError> {
-    let judged = if given.is_some() { Judged::Ends } else { Judged::of_image(scene) };
+    let judged = Judged::of_image(scene);
     let Some(accuracy) = judged.accuracy(scene) else { return Ok(None) };
     let methods = fast_methods(scene);
     let stage = gpu.progress.measured(SEARCH, TRUTH + methods.len() as f64);

@@ -103,10 +103,11 @@ impl<'a> Trials<'a> {
             tracer.retune(control, scene.rays.max_segments)?;
             let (rays, _) = tracer.follow(self.starts())?;
             let found = ErrorStats::new(&rays, tracer.spectra(), &self.truth);
-            let error = match self.judged {
-                Judged::Ends => found.seen.sure99,
-                Judged::Light => found.light.map_or(f64::INFINITY, |light| light.sure99),
-            };
+            let mut error = found.judged(self.judged).sure99;
+            // The ends of given rays are results too, not only their light.
+            if let (Some(_), Some(accuracy)) = (&self.given, Judged::Ends.accuracy(self.scene)) {
+                error = error.max(found.seen.sure99 * self.accuracy / accuracy);
+            }
             let mean = |count: fn(&Traced) -> u32| {
                 rays.iter().map(|ray| f64::from(count(ray))).sum::<f64>() / rays.len().max(1) as f64
             };

@@ -38,7 +38,10 @@ pub(super) fn ray_tile(
     earlier: Option<Tile>,
     batch: &[[f64; 6]],
 ) -> Result<(Tile, Sample), RenderError> {
-    let bytes = packed(prepared.layout(&Role::Given)?, batch)?;
+    // A law without forces keeps any speed, but frequencies and times are those of light.
+    let is_light = prepared.scene.radiation.is_some() && prepared.scene.law.facts().is_straight;
+    let as_light = is_light.then(|| batch.iter().map(at_light_speed).collect::<Vec<_>>());
+    let bytes = packed(prepared.layout(&Role::Given)?, as_light.as_deref().unwrap_or(batch))?;
     let mut tile = list_tile((prepared, earlier), batch.len(), ROW, &Role::Given, &bytes)?;
     if prepared.program.layout(&Role::GivenSets).is_some() {
         let meshes = closed_meshes(&prepared.scene, &prepared.regions);
@@ -52,6 +55,12 @@ pub(super) fn ray_tile(
     }
     let image = tile.size;
     Ok((tile, Sample::first(image)))
+}
+
+/// Returns a ray with the speed 1.
+fn at_light_speed(ray: &[f64; 6]) -> [f64; 6] {
+    let v = DVec3::from_slice(&ray[3..]).normalize_or_zero();
+    [ray[0], ray[1], ray[2], v.x, v.y, v.z]
 }
 
 /// Returns rays as the device reads them. The first is packed and checked like all other values, and the others like the first.
