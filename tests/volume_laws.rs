@@ -68,3 +68,53 @@ fn impossible_matter_has_a_position() {
     let outside = warned("shape = \"cylinder\"\nradius = 6\nheight = 9\ndensity = \"37 - x^2 - z^2\"");
     assert!(outside.is_empty(), "{outside}");
 }
+
+/// A typed metric shows the same light of matter down to the horizon as the law that it is, whatever the motion.
+#[test]
+fn typed_metrics_shine_down_to_the_horizon() {
+    // Emission that grows with the frequency, which grows without bound toward the horizon.
+    let of = |law: &str, flow: &str| {
+        let text = format!(
+            "{law}bounding_sphere = {{ radius = 100 }}\nprecision = \"f64\"\n[radiation]\nfrequencies = [1.0]\ntolerance = 1e-6\n\
+             [[volumes]]\nshape = \"sphere\"\nradius = 15\nflow = {flow}\ndensity = \"exp(-(r/10)^2)\"\nemission = \"n*nu^3\"\n"
+        );
+        lights_of(&scene(&text), &[[20.0, 3.0, 4.0, -1.0, -0.05, -0.1]]).0[0][0].intensity
+    };
+    let typed = "[law]\nkind = \"metric\"\nline_element = \"-A*dt^2 + dr^2/A + r^2*dOmega2\"\nscale = \"r\"\n[law.terms]\nA = \"1 - 2/r\"\n\
+                 [rays]\nmethod = \"dormand-prince\"\ntolerance = 1e-10\n";
+    let own = "[law]\nkind = \"schwarzschild\"\n[rays]\nmethod = \"planar\"\nscaled_step = 0.05\n";
+    for flow in ["\"static\"", "\"eulerian\"", "\"zamo\"", "{ angular_momentum = \"r\" }", "{ velocity = [0.1, 0, 0] }"]
+    {
+        let (one, two) = (of(typed, flow), of(own, flow));
+        assert!((one / two - 1.0).abs() < 3e-4, "{flow}: {one} {two}");
+    }
+}
+
+/// The light of a given ray depends on its direction alone, also where matter moves: in flat space, where any speed is allowed.
+#[test]
+fn light_has_the_speed_of_light() {
+    let text = "[camera]\nposition = [20, 0, 0]\nobserver = \"static\"\ntime = 3\n[rays]\nbounding_sphere = { radius = 300 }\n[radiation]\n\
+                frequencies = [1.0]\n[[volumes]]\ndensity = \"exp(-((x - 0.5*t)^2 + y^2 + z^2))\"\nemission = \"n\"\n";
+    let rays = [1.0, 0.2, 7.0].map(|speed| [5.0, 5.0, 5.0, -0.8 * speed, -0.48 * speed, -0.36 * speed]);
+    let (lights, _) = lights_of(&scene(text), &rays);
+    let [one, slow, fast] = [0, 1, 2].map(|ray| lights[ray][0].intensity);
+    assert!((slow / one - 1.0).abs() < 1e-5 && (fast / one - 1.0).abs() < 1e-5, "{one} {slow} {fast}");
+}
+
+/// Formulas count from the center of a line element, whatever its symmetry.
+#[test]
+fn formulas_count_from_the_center_of_a_line_element() {
+    let of = |more: &str| {
+        let text = format!(
+            "[law]\nkind = \"metric\"\nline_element = \"-dt^2 + (1 + {more})*dx^2 + dy^2 + dz^2\"\nscale = \"1\"\n\
+             [rays]\nmethod = \"dormand-prince\"\nbounding_sphere = {{ radius = 30 }}\n[radiation]\nfrequencies = [1.0]\n\
+             [[volumes]]\nshape = \"sphere\"\nradius = 3\ntranslate = [2, 0, 0]\ndensity = \"exp(-r^2)\"\nemission = \"n\"\n"
+        );
+        lights_of(&scene(&text), &[[5.0, 0.6, 0.0, -1.0, 0.0, 0.0]]).0[0][0].intensity
+    };
+    let [symmetric, not, changing] = ["0", "1e-12*x", "1e-12*t"].map(of);
+    assert!(
+        (not / symmetric - 1.0).abs() < 1e-5 && (changing / symmetric - 1.0).abs() < 1e-5,
+        "{symmetric} {not} {changing}"
+    );
+}

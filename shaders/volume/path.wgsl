@@ -49,16 +49,26 @@ fn transfer_end(pixel: vec2u, ray: Ray, end: PathPoint) {
     begin_transfer(pixel);
     if !TRANSFERS_ORBITS {
         if end.fraction > 0.0 {
-            let step = stretch_last(last_step(ray));
-            transfer_along(step, end.fraction);
-            if HAS_HORIZON {
-                if ray.status == CAPTURED {
-                    transfer_tail(step, end.fraction);
-                }
-            }
+            transfer_last(ray, end.fraction);
         }
     }
     keep_transfer(pixel);
+}
+
+// Adds the light of the last step up to the fraction `until`. A captured path's step is taken again up to there, because the rest may be
+// below the horizon.
+fn transfer_last(ray: Ray, until: Real) {
+    let last = last_step(ray);
+    if HAS_HORIZON {
+        if ray.status == CAPTURED {
+            let h = until * last.h;
+            let step = stretch_step(last.phase, retaken_step(last.phase, h), h, last.tau);
+            transfer_along(step, 1.0);
+            transfer_tail(step, 1.0);
+            return;
+        }
+    }
+    transfer_along(stretch_last(last), until);
 }
 
 // Adds the light of the last step, after a surface has put the ray into another region; `came_through` is the region that it passed.

@@ -38,10 +38,10 @@ fn stretch_extent(step: Stretch, until: Real) -> Real2 {
     return Real2(distance(start, middle) + distance(middle, end), max(length(start), max(length(middle), length(end))));
 }
 
-// Returns the decrease of the radius per unit of the step's fraction.
-fn stretch_fall(step: Stretch, f: Real) -> Real {
+// Returns the rest of a path to the horizon, as a fraction of the step at the rate here; it counts if it is positive.
+fn stretch_left(step: Stretch, f: Real) -> Real {
     let p = stretch_phase(step, f);
-    return -step.h * own_pace(p) * dot(law_rise(law_arm(p[0].xyz)), path_velocity(p[1].xyz));
+    return 1.0 / (step.h * own_pace(p) * law_descent(p[0].xyz, path_velocity(p[1].xyz), transfer.horizon));
 }
 
 // Returns the position and the light at a fraction of a step.

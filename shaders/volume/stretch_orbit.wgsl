@@ -69,10 +69,10 @@ fn stretch_extent(step: Stretch, until: Real) -> Real2 {
     return Real2(step.s * r * sqrt(dot(step.start.t, step.start.t) + turn * turn), r);
 }
 
-// Returns the decrease of the radius per unit of the stretch's fraction.
-fn stretch_fall(step: Stretch, f: Real) -> Real {
+// Returns the rest of a path to the horizon, as a fraction of the stretch at the rate here; it counts if it is positive.
+fn stretch_left(step: Stretch, f: Real) -> Real {
     let here = stretch_orbit(step, f);
-    return step.s * here.w / (here.u * here.u);
+    return here.u * (1.0 - transfer.horizon * here.u) / (step.s * here.w);
 }
 
 // Returns the position and the light at a fraction of a stretch.

@@ -136,6 +136,13 @@ fn transfer_piece(step: Stretch, within: u32, start: Real, size: Real) -> Transf
     var nulls: array<Real3, CHANNELS>;
     var depth_nulls: array<Real3, CHANNELS>;
     var rough: array<Real, CHANNELS>;
+    // The light that passes the matter before a half.
+    var passing: array<Real, CHANNELS>;
+    if ABSORBS_VOLUMES {
+        for (var k = 0u; k < CHANNELS; k++) {
+            passing[k] = transfer_exp(transferred.depth[k]);
+        }
+    }
     let h = 0.5 * size;
     var ends: array<Matter, 2>;
     var outer: array<Matter, 2>;
@@ -172,25 +179,25 @@ fn transfer_piece(step: Stretch, within: u32, start: Real, size: Real) -> Transf
             }
             let dims = h * Real3(first.absorption[k], middle.absorption[k], last.absorption[k]);
             let depth = dot(GAUSS_WEIGHTS, dims);
-            let before = transferred.depth[k] + piece.added.depth[k];
             let at = max(Real3(dot(GAUSS_TO_FIRST, dims), dot(GAUSS_TO_MIDDLE, dims), dot(GAUSS_TO_LAST, dims)), Real3(0.0));
+            let passes = transfer_exp(depth);
+            let front = passing[k];
             if depth > THICK {
                 let source = j / max(dims, Real3(1e-30));
                 let slope = (source.z - source.x) / max(at.z - at.x, 1e-30);
                 let near = max(source.x - slope * at.x, 0.0);
                 let far = max(source.z + slope * (depth - at.z), 0.0);
-                let passes = transfer_exp(depth);
                 let share = (1.0 - passes) / depth - passes;
-                let front = transfer_exp(before);
                 piece.added.light[k] += front * (near * (1.0 - passes - share) + far * share);
                 rough[k] += front * (abs(source.y - source.x - slope * (at.y - at.x)) + 0.25 * abs(source.x - near));
             } else {
-                let seen = j * Real3(transfer_exp(before + at.x), transfer_exp(before + at.y), transfer_exp(before + at.z));
+                let seen = front * j * Real3(real_exp(-at.x), real_exp(-at.y), real_exp(-at.z));
                 piece.added.light[k] += dot(GAUSS_WEIGHTS, seen);
                 nulls[k] += Real3(dot(quartic, seen), dot(cubic, seen), dot(linear, seen));
             }
             depth_nulls[k] += Real3(dot(quartic, dims), dot(cubic, dims), dot(linear, dims));
             piece.added.depth[k] += depth;
+            passing[k] = front * passes;
         }
         half += 1u;
         continuing {
@@ -327,9 +334,8 @@ fn transfer_tail(step: Stretch, until: Real) {
         within |= select(0u, 1u << v, place.gaps[v] < 0.0);
     }
     var spot = stretch_spot(step, until);
-    let height = spot.r - transfer.horizon;
-    let slope = stretch_fall(step, until);
-    if within == 0u || !(height > 0.0) || !(slope > 0.0) {
+    let left = stretch_left(step, until);
+    if within == 0u || !(left > 0.0 && left < 1e30) {
         return;
     }
     let here = matter_of(spot, within);
@@ -337,20 +343,20 @@ fn transfer_tail(step: Stretch, until: Real) {
     let above = matter_of(spot, within);
     for (var k = 0u; k < CHANNELS; k++) {
         let passes = transfer_exp(transferred.depth[k]);
-        transferred.light[k] += passes * tail_sum(here.emission[k], above.emission[k], height / slope);
-        transferred.depth[k] += tail_sum(here.absorption[k], above.absorption[k], height / slope);
+        transferred.light[k] += passes * tail_sum(here.emission[k], above.emission[k], left);
+        transferred.depth[k] += tail_sum(here.absorption[k], above.absorption[k], left);
     }
 }
 
 // The lowest power of the height that has a sum.
 const TAIL_POWER: Real = -0.95;
 
-// Returns the sum to the horizon of a quantity, from its values here and at twice the height; `size` is the distance at the rate here.
-fn tail_sum(here: Real, above: Real, size: Real) -> Real {
+// Returns the sum to the horizon of a quantity, from its values here and at twice the height; `left` is the distance at the rate here.
+fn tail_sum(here: Real, above: Real, left: Real) -> Real {
     if here <= 0.0 || above <= 0.0 {
         return 0.0;
     }
     let power = log_ratio(above, here) / 0.6931471805599453;
     transfer_invalid = transfer_invalid || power < TAIL_POWER;
-    return here * size / (1.0 + max(power, TAIL_POWER));
+    return here * left / (1.0 + max(power, TAIL_POWER));
 }

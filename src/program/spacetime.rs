@@ -7,7 +7,8 @@ use super::generated::unit;
 use super::unit::Unit;
 use crate::scene::{Id, LineElement};
 
-/// Generates `metric_at(q, t)` and `metric_bend(q, v, t)`, `metric_scale(q, t)` and, if the element ends rays, `metric_gap(q)`.
+/// Generates `metric_at(q, t)` and `metric_bend(q, v, t)`, `metric_scale(q, t)` and, if the element ends rays or has a lapse, `metric_gap(q)`
+/// and `metric_lapse(q)`.
 pub(super) fn line_element(element: &LineElement) -> Unit {
     const NAMES: [&str; 9] = ["q.x", "q.y", "q.z", "v.x", "v.y", "v.z", "dt", "t", "metric_side"];
     let (graph, metric, force, scale, gap) = element.graph();
@@ -35,10 +36,12 @@ pub(super) fn line_element(element: &LineElement) -> Unit {
     );
     let (lines, scale) = body(graph, &[scale], &NAMES);
     let _ = writeln!(text, "fn metric_scale(q: Real3, t: Real) -> Real {{\n{lines}    return {};\n}}", scale.join(""));
-    if let Some(gap) = gap {
-        let (lines, gap) = body(graph, &gap, &NAMES);
-        let _ =
-            writeln!(text, "\nfn metric_gap(q: Real3) -> Real4 {{\n{lines}    return Real4({});\n}}", gap.join(", "));
+    for (name, value) in [("gap", gap), ("lapse", element.lapse())] {
+        if let Some(value) = value {
+            let (lines, value) = body(graph, &value, &NAMES);
+            let value = value.join(", ");
+            let _ = writeln!(text, "\nfn metric_{name}(q: Real3) -> Real4 {{\n{lines}    return Real4({value});\n}}");
+        }
     }
     unit("generated/line_element.wgsl", text)
 }

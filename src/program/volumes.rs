@@ -176,7 +176,8 @@ fn added(v: usize, volume: &Volume, scene: &Scene, features: &Features) -> Strin
     text += "    if n >= 0.0 && n < LEAST_DENSITY {\n        return;\n    }\n";
     let shifts = features.volumes.shifts_volumes;
     let shift = if shifts { shift(v, volume.flow) } else { "1.0".to_owned() };
-    let higher = if features.volumes.has_horizon { higher(volume.flow) } else { "" };
+    let eulerian_falls = scene.law.facts().below.is_some();
+    let higher = if features.volumes.has_horizon { higher(volume.flow, eulerian_falls) } else { "" };
     let _ = writeln!(text, "    let s: Real = {shift}{higher};");
     text += "    let rate = spot.pace / (s * s * spot.index);\n    let dimming = spot.pace * s;\n";
     let radiation = scene.radiation.as_ref();
@@ -266,9 +267,11 @@ fn shift(v: usize, flow: Flow) -> String {
     }
 }
 
-/// Returns the factor of the frequency at twice the height above a horizon, where matter that falls moves differently.
-fn higher(flow: Flow) -> &'static str {
+/// Returns the factor of the frequency at twice the height above a horizon, where matter that falls moves differently. Eulerian observers
+/// fall where the coordinates of the law continue below the horizon.
+fn higher(flow: Flow, eulerian_falls: bool) -> &'static str {
     match flow {
+        Flow::Observer(Observer::Eulerian) | Flow::Velocity if !eulerian_falls => " * spot.higher",
         Flow::Observer(Observer::Static | Observer::Zamo) | Flow::AngularMomentum | Flow::AngularVelocity => {
             " * spot.higher"
         }

@@ -195,11 +195,13 @@ impl Scene {
         })
     }
 
-    /// Returns `true` if formulas of volumes use the coordinates of the law, which has a center, instead of those around their centers.
+    /// Returns `true` if formulas of volumes use the coordinates of the law, which has a center or a line element, instead of those around
+    /// their centers.
     #[must_use]
     pub fn places_volumes_by_law(&self) -> bool {
-        let has_center = self.law.equator().is_some() || self.law.facts().throat.is_some();
-        has_center && !self.law.facts().momentum_parts.is_empty()
+        let facts = self.law.facts();
+        let has_own = self.law.equator().is_some() || facts.throat.is_some() || facts.line_element().is_some();
+        has_own && !facts.momentum_parts.is_empty()
     }
 
     /// Returns the distance from the law's center within which there are volumes; `None` if they are everywhere.

@@ -25,10 +25,12 @@ fn law_radius(arm: Real3) -> Real {
     return spheroid_of(arm, law.spin).x;
 }
 
-// Returns the gradient of that radius.
-fn law_rise(arm: Real3) -> Real3 {
+// Returns the rate at which light of this velocity nears a horizon of this radius: the decrease of its height divided by the height.
+fn law_descent(x: Real3, v: Real3, horizon: Real) -> Real {
+    let arm = law_arm(x);
     let spheroid = spheroid_of(arm, law.spin);
-    return (spheroid.x * arm + (spheroid.z / spheroid.x) * law.spin) / (2.0 * spheroid.y);
+    let rise = (spheroid.x * arm + (spheroid.z / spheroid.x) * law.spin) / (2.0 * spheroid.y);
+    return -dot(rise, v) / (spheroid.x - horizon);
 }
 
 // Returns the distance from the axis at radius r on the equator.

@@ -36,6 +36,18 @@ fn law_eulerian(x: Real3) -> Real4 {
     return Real4(-lapse * shift, lapse);
 }
 
+// The squared lapse below which a path is near a horizon.
+const NEAR_HORIZON: Real = 0.1;
+
+// Returns the rate at which captured light nears a horizon, where the lapse is 0, and 0 far from one. There α² decreases by the rate 2κ, where
+// κ = |∇α| is the surface gravity, whatever the light's direction; rounding of its velocity does not matter.
+fn law_descent(x: Real3, v: Real3, horizon: Real) -> Real {
+    let q = metric_place(x);
+    let lapse = metric_lapse(q);
+    let raised = metric_raised(metric_factor(metric_at(q, law.time)), lapse.xyz);
+    return select(Real(0.0), sqrt(dot(lapse.xyz, raised) / lapse.w), lapse.w > 0.0 && lapse.w < NEAR_HORIZON);
+}
+
 // Returns the metric along ∂t and ∂φ.
 fn law_turning(spot: Spot) -> Turning {
     let around = Real4(cross(frequency.axis, law_arm(spot.x)), 0.0);

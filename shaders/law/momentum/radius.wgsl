@@ -5,11 +5,6 @@ fn law_radius(arm: Real3) -> Real {
     return length(arm);
 }
 
-// Returns the gradient of that radius.
-fn law_rise(arm: Real3) -> Real3 {
-    return normalize(arm);
-}
-
 // Returns the distance from the axis at radius r on the equator.
 fn law_axial(r: Real) -> Real {
     return r;

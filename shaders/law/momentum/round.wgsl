@@ -29,6 +29,12 @@ fn law_eulerian(x: Real3) -> Real4 {
     return Real4(0.0, 0.0, 0.0, possible(law_clock(x)));
 }
 
+// Returns the rate at which light of this velocity nears a horizon of this radius: the decrease of its height divided by the height.
+fn law_descent(x: Real3, v: Real3, horizon: Real) -> Real {
+    let arm = law_arm(x);
+    return -dot(normalize(arm), v) / (length(arm) - horizon);
+}
+
 // Returns the metric along ∂t and ∂φ.
 fn law_turning(spot: Spot) -> Turning {
     let around = spot.r * spot.sine;

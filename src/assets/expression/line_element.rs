@@ -26,6 +26,8 @@ pub struct LineElement {
     scale: Id,
     /// The gradient and the value of a function that is below 0 where rays end.
     gap: Option<[Id; 4]>,
+    /// The gradient and the value of the squared lapse, unless the metric changes with t or the lapse is constant.
+    lapse: Option<[Id; 4]>,
 }
 
 /// The arguments at which a line element is evaluated.
@@ -76,23 +78,19 @@ impl LineElement {
             .map(|(i, k): (usize, usize)| graph.derivative(lowered[i], differentials[k]));
         let force = force(&mut graph, q, lowered);
         let timeless = !graph.reached(&[q]).iter().any(|id| graph.node(*id) == Node::Variable(Variable::TIME));
+        let lapse = timeless.then(|| lapse_squared(&mut graph, metric)).filter(|lapse| graph.number(*lapse).is_none());
         let gap = match captured {
             Some(sides) => {
                 let [least, most] = sides.map(|side| graph.of_tree(&side));
                 Some(graph.difference(least, most))
             }
-            None if timeless => {
-                let lapse = lapse_squared(&mut graph, metric);
+            None => lapse.map(|lapse| {
                 let least = graph.constant(LEAST_LAPSE_2);
-                graph.number(lapse).is_none().then(|| graph.difference(lapse, least))
-            }
-            None => None,
+                graph.difference(lapse, least)
+            }),
         };
-        let gap = gap.map(|gap| {
-            let [x, y, z] = Variable::PLACE.map(|axis| graph.derivative(gap, axis));
-            [x, y, z, gap]
-        });
-        let found = Self { written, graph, metric, force, scale, gap };
+        let [gap, lapse] = [gap, lapse].map(|value| value.map(|value| with_gradient(&mut graph, value)));
+        let found = Self { written, graph, metric, force, scale, gap, lapse };
         found.check_degree(q, lowered)?;
         found.check_numbers()?;
         Ok(found)
@@ -190,6 +188,12 @@ impl LineElement {
     pub fn graph(&self) -> (&Graph, [Id; 10], [Id; 4], Id, Option<[Id; 4]>) {
         (&self.graph, self.metric, self.force, self.scale, self.gap)
     }
+
+    /// Returns the nodes of the gradient and of the value of the squared lapse, unless the metric changes with t or the lapse is constant.
+    #[must_use]
+    pub fn lapse(&self) -> Option<[Id; 4]> {
+        self.lapse
+    }
 }
 
 /// Line elements are equal if their texts are.
@@ -211,6 +215,12 @@ fn force(graph: &mut Graph, q: Id, lowered: [Id; 4]) -> [Id; 4] {
         let change = graph.rate(lowered[k], rates);
         graph.difference(own, change)
     })
+}
+
+/// Returns the derivatives of a value by x, y and z, and the value.
+fn with_gradient(graph: &mut Graph, value: Id) -> [Id; 4] {
+    let [x, y, z] = Variable::PLACE.map(|axis| graph.derivative(value, axis));
+    [x, y, z, value]
 }
 
 /// Returns α² = −det g/det γ.

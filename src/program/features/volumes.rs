@@ -47,6 +47,7 @@ impl VolumeFeatures {
         let transfers = !scene.volumes.is_empty() && (is_picture || is_spectral);
         let has_interiors = scene.objects.iter().any(|object| object.interior().is_some());
         let shifts_volumes = transfers && !has_interiors && scene.has_frequencies_of(mode.is_given());
+        let has_lapse = facts.line_element().is_some_and(|element| element.lapse().is_some());
         let has_depths = mode.is_given() || options.layers.iter().any(|layer| matches!(layer, Layer::OpticalDepth(_)));
         Self {
             transfers,
@@ -59,7 +60,7 @@ impl VolumeFeatures {
             has_edges: transfers && scene.volumes.iter().any(|volume| volume.formulas.has_edges()),
             has_grids: scene.volumes.iter().any(|volume| !volume.grids.is_empty()),
             shifts_volumes,
-            has_horizon: shifts_volumes && scene.horizon().is_some(),
+            has_horizon: shifts_volumes && (scene.horizon().is_some() || has_lapse),
             volumes_change: facts.changes_with_time || scene.volumes.iter().any(|volume| volume.formulas.changes()),
             places_by_law: scene.places_volumes_by_law(),
             is_parallel: transfers && scene.camera.as_ref().is_some_and(Camera::is_parallel),
