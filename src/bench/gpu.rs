@@ -20,7 +20,7 @@ use crate::render::{RenderError, RenderSettings, Renderer, StartUp};
 use crate::scene::{Precision, Scene};
 
 /// The scenes, below `scenes/`, with their samples per pixel.
-const IMAGES: [(&str, u32); 19] = [
+const IMAGES: [(&str, u32); 21] = [
     ("black_hole", 1),
     ("black_hole", 16),
     ("black_hole", 64),
@@ -35,6 +35,8 @@ const IMAGES: [(&str, u32); 19] = [
     ("spacetimes/kerr", 1),
     ("spacetimes/two_holes", 1),
     ("spacetimes/wormhole", 1),
+    ("volumes/analytic", 1),
+    ("volumes/torus", 1),
     ("thesis/glass_blocks", 4),
     ("thesis/luneburg", 4),
     ("thesis/noise", 4),

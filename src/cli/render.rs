@@ -365,7 +365,7 @@ pub(super) fn warn(totals: &Totals) {
     }
     if totals.unsettled > 0 {
         tell!(
-            "warning: the light of volumes did not converge to radiation.tolerance (0.001 for colors) on {} path segments, whose \
+            "warning: the light of volumes did not converge to radiation.tolerance, or to 0.001 of colors, on {} path segments, whose \
              errors are larger: raise the tolerance, use --precision f64, or smooth the edges of the matter",
             totals.unsettled
         );

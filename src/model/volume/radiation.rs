@@ -116,8 +116,9 @@ pub(super) fn read(root: &TableReader) -> Option<Radiation> {
         (Frequency::Hertz(value), Some(reference)) => Some(value / reference),
         (Frequency::Hertz(_), None) => None,
     };
+    let were_read = all.is_some();
     let frequencies: Option<Vec<f64>> = all.and_then(|all| all.iter().map(relative).collect());
-    if frequencies.is_none() && in_hertz.is_none() && table.gives("frequencies") {
+    if frequencies.is_none() && were_read {
         let problem = "frequencies with and without units cannot be combined";
         table.fault(&["frequencies"], problem, "give all of them units, or set `reference`");
     }
