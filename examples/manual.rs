@@ -328,6 +328,15 @@ fn command_page(program: &Path) -> Outcome<String> {
     Ok(text)
 }
 
+/// Returns the file of this name that commands wrote into a folder or into one of its subfolders.
+fn made(folder: &Path, name: &str) -> Outcome<PathBuf> {
+    let folders = fs::read_dir(folder)?.map(|entry| Ok(entry?.path())).collect::<Outcome<Vec<_>>>()?;
+    let all = std::iter::once(folder.to_owned()).chain(folders);
+    all.map(|folder| folder.join(name))
+        .find(|path| path.is_file())
+        .ok_or_else(|| format!("no command makes {name}").into())
+}
+
 /// Runs the commands of a page in a temporary folder, and keeps the pictures that the page shows.
 fn make_pictures(program: &Path, page: Page) -> Outcome<()> {
     let folder = tempfile::tempdir()?;
@@ -344,11 +353,11 @@ fn make_pictures(program: &Path, page: Page) -> Outcome<()> {
     }
     for target in links(page.text) {
         let Some(name) = target.strip_prefix("../../pictures/") else { continue };
-        let (made, kept) = (folder.path().join(name), root().join("manual/pictures").join(name));
+        let kept = root().join("manual/pictures").join(name);
         match name.strip_suffix(".jpg") {
-            None => _ = fs::copy(made, kept)?,
+            None => _ = fs::copy(made(folder.path(), name)?, kept)?,
             Some(stem) => {
-                let image = image::open(folder.path().join(format!("{stem}.png")))?.to_rgb8();
+                let image = image::open(made(folder.path(), &format!("{stem}.png"))?)?.to_rgb8();
                 image.write_with_encoder(image::codecs::jpeg::JpegEncoder::new_with_quality(
                     fs::File::create(kept)?,
                     88,
