@@ -48,23 +48,33 @@ fn transfer_passed(ray: Ray, next: Ray) {
 fn transfer_end(pixel: vec2u, ray: Ray, end: PathPoint) {
     begin_transfer(pixel);
     if !TRANSFERS_ORBITS {
-        if end.fraction > 0.0 {
+        var is_lit = end.fraction > 0.0;
+        if HAS_HORIZON {
+            is_lit = is_lit || ray.status == CAPTURED;
+        }
+        if is_lit {
             transfer_last(ray, end.fraction);
         }
     }
     keep_transfer(pixel);
 }
 
-// Adds the light of the last step up to the fraction `until`. A captured path's step is taken again up to there, because the rest may be
-// below the horizon.
+// The least part of the last step of a captured path that is taken again.
+const LEAST_LAST: Real = 1e-3;
+
+// Adds the light of the last step up to the fraction `until`. A captured path's step is taken again up to there, or a little further,
+// because the rest may be below the horizon.
 fn transfer_last(ray: Ray, until: Real) {
     let last = last_step(ray);
     if HAS_HORIZON {
         if ray.status == CAPTURED {
-            let h = until * last.h;
+            let part = max(until, LEAST_LAST);
+            let h = part * last.h;
             let step = stretch_step(last.phase, retaken_step(last.phase, h), h, last.tau);
-            transfer_along(step, 1.0);
-            transfer_tail(step, 1.0);
+            if until > 0.0 {
+                transfer_along(step, until / part);
+            }
+            transfer_tail(step, until / part);
             return;
         }
     }
