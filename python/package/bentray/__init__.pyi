@@ -108,7 +108,8 @@ class Scene:
 
         `methods` are names of methods, all that the law has by default. `rays` are timed, and the errors of `compared` are measured.
         Returns a dict for each setting: `method`, `words`, `setting`, `seconds_per_ray`, `evaluations_per_ray`, `error_median` and
-        `error_p99` in radians, `image_rms`, `wrong_terminations` and `unresolved`.
+        `error_p99` in radians (with `[radiation]`, those of the light, relative to it), `image_rms`, `wrong_terminations` and
+        `unresolved`.
         """
 
     def trace(
