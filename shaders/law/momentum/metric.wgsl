@@ -38,20 +38,38 @@ fn law_eulerian(x: Real3) -> Real4 {
 
 // The squared lapse below which a path is near a horizon.
 const NEAR_HORIZON: Real = 0.1;
+// The part of the length scale over which a slope is measured.
+const SLOPE_PART: Real = 0.01;
 
-// Returns the rate at which captured light nears a horizon, where the lapse is 0, and 0 far from one. There α² decreases by the rate 2κ, where
-// κ = |∇α| is the surface gravity, whatever the light's direction; rounding of its velocity does not matter.
+// Returns the rate at which captured light nears a horizon, and 0 far from one. If the lapse is 0 there, α² decreases by the rate 2κ, where
+// κ = |∇α| is the surface gravity, whatever the light's direction; rounding of its velocity does not matter. In coordinates that continue
+// below the horizon, the lapse of observers without angular momentum is 0 there.
 fn law_descent(x: Real3, v: Real3, horizon: Real) -> Real {
     let q = metric_place(x);
     let lapse = metric_lapse(q);
-    let raised = metric_raised(metric_factor(metric_at(q, law.time)), lapse.xyz);
-    return select(Real(0.0), sqrt(dot(lapse.xyz, raised) / lapse.w), lapse.w > 0.0 && lapse.w < NEAR_HORIZON);
+    if lapse.w > 0.0 && lapse.w < NEAR_HORIZON {
+        return sqrt(dot(lapse.xyz, metric_raised(metric_factor(metric_at(q, law.time)), lapse.xyz)) / lapse.w);
+    }
+    let size = SLOPE_PART * metric_scale(q, law.time);
+    let here = zamo_lapse(x);
+    let rate = log_ratio(zamo_lapse(x - size * v), zamo_lapse(x + size * v)) / (2.0 * size);
+    return select(Real(0.0), rate, here > 0.0 && here < NEAR_HORIZON);
+}
+
+// Returns the squared lapse of observers without angular momentum.
+fn zamo_lapse(x: Real3) -> Real {
+    let g = metric_turning(x);
+    return select(-g.determinant / g.own, -g.tt, g.own <= 0.0);
 }
 
 // Returns the metric along ∂t and ∂φ.
 fn law_turning(spot: Spot) -> Turning {
-    let around = Real4(cross(frequency.axis, law_arm(spot.x)), 0.0);
-    let m = metric_at(metric_place(spot.x), law.time);
+    return metric_turning(spot.x);
+}
+
+fn metric_turning(x: Real3) -> Turning {
+    let around = Real4(cross(frequency.axis, law_arm(x)), 0.0);
+    let m = metric_at(metric_place(x), law.time);
     let mixed = dot(around.xyz, m.shift);
     let own = metric_square(m, around);
     return Turning(m.clock, mixed, own, m.clock * own - mixed * mixed);

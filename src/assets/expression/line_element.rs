@@ -26,7 +26,7 @@ pub struct LineElement {
     scale: Id,
     /// The gradient and the value of a function that is below 0 where rays end.
     gap: Option<[Id; 4]>,
-    /// The gradient and the value of the squared lapse, unless the metric changes with t or the lapse is constant.
+    /// The gradient and the value of the squared lapse, unless the metric changes with t.
     lapse: Option<[Id; 4]>,
 }
 
@@ -78,13 +78,13 @@ impl LineElement {
             .map(|(i, k): (usize, usize)| graph.derivative(lowered[i], differentials[k]));
         let force = force(&mut graph, q, lowered);
         let timeless = !graph.reached(&[q]).iter().any(|id| graph.node(*id) == Node::Variable(Variable::TIME));
-        let lapse = timeless.then(|| lapse_squared(&mut graph, metric)).filter(|lapse| graph.number(*lapse).is_none());
+        let lapse = timeless.then(|| lapse_squared(&mut graph, metric));
         let gap = match captured {
             Some(sides) => {
                 let [least, most] = sides.map(|side| graph.of_tree(&side));
                 Some(graph.difference(least, most))
             }
-            None => lapse.map(|lapse| {
+            None => lapse.filter(|lapse| graph.number(*lapse).is_none()).map(|lapse| {
                 let least = graph.constant(LEAST_LAPSE_2);
                 graph.difference(lapse, least)
             }),
@@ -189,7 +189,7 @@ impl LineElement {
         (&self.graph, self.metric, self.force, self.scale, self.gap)
     }
 
-    /// Returns the nodes of the gradient and of the value of the squared lapse, unless the metric changes with t or the lapse is constant.
+    /// Returns the nodes of the gradient and of the value of the squared lapse, unless the metric changes with t.
     #[must_use]
     pub fn lapse(&self) -> Option<[Id; 4]> {
         self.lapse
