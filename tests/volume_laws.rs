@@ -123,3 +123,20 @@ fn formulas_count_from_the_center_of_a_line_element() {
         "{symmetric} {not} {changing}"
     );
 }
+
+/// A captured path adds the light at the horizon once, also if rounding leaves it above the capture sphere at first.
+#[test]
+fn light_at_the_horizon_counts_once() {
+    let of = |precision: &str| {
+        let text = format!(
+            "[law]\nkind = \"kerr-newman\"\nspin = 0.9\n[rays]\nmethod = \"separated\"\nscaled_step = 0.05\nprecision = \"{precision}\"\n\
+             bounding_sphere = {{ radius = 100 }}\n[radiation]\nfrequencies = [1.0]\ntolerance = 1e-5\n[[volumes]]\nshape = \"sphere\"\n\
+             radius = 15\nflow = \"zamo\"\ndensity = \"exp(-(r/10)^2)\"\nemission = \"n*nu^3\"\n"
+        );
+        let rays: Vec<[f64; 6]> = (0..18).map(|k| [20.0, 3.0, 4.0, -1.0, 0.02 * f64::from(k) - 0.2, -0.1]).collect();
+        lights_of(&scene(&text), &rays).0
+    };
+    for (single, double) in of("f32").iter().zip(of("f64")) {
+        assert!((single[0].intensity / double[0].intensity - 1.0).abs() < 1e-4, "{single:?} {double:?}");
+    }
+}
