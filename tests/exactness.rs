@@ -235,7 +235,7 @@ const ALLOWED: [(&str, &str, &str); 6] = [
     ("generated/images.wgsl", "image", "each of two skies has its own picture"),
     ("generated/kinds.wgsl", "region", "the kind of a region of a list, which has one here"),
     ("generated/shapes.wgsl", "primitive & ~PRIMITIVE_INDEX", "the surface of a region of a list, which has one here"),
-    ("generated/volumes.wgsl", "v", "each volume of a list may have its own shape"),
+    ("generated/matter.wgsl", "v", "each volume of a list may have its own shape"),
     (
         "shaders/motion/spiral.wgsl",
         "media.continued == 1u",

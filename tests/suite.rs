@@ -36,6 +36,7 @@ mod light_paths;
 mod line_elements;
 mod links;
 mod manual;
+mod matter;
 mod meshes;
 mod methods;
 mod occlusion;

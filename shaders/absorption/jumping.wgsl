@@ -1,24 +1,22 @@
-// Chooses the length to try when a piece disagrees with its halves. Usually that is half of it. Wrapped textures jump, however; there every
-// rule is of first order, and halving would need a piece for each bit. So the jump is located, and a piece ends at it. Between jumps the
-// texture is smooth: false position with the Illinois rule (Dowell and Jarratt 1971) finds in about seven evaluations a position for which
-// bisection needs twenty.
+// Locates the jumps of wrapped textures. At a jump every rule is of first order, and halving would need a piece for each bit, so that a piece
+// ends there. Between jumps the texture is smooth: false position with the Illinois rule (Dowell and Jarratt 1971) finds in about seven
+// evaluations a position for which bisection needs twenty.
 
 const JUMP_LOOKS: u32 = 22u;
 // The distance from its ends of the first evaluations, and the accuracy of a jump's position, as fractions of a piece.
 const BESIDE_JUMP: Real = 1e-6;
 
-// Returns the number of times that a texture has wrapped at a position, with the fraction of the next turn.
-fn turns_at(absorption: Absorption, p: Phase, h: Real) -> Real {
+// Returns the number of times that a texture has wrapped at a fraction of a step, with the fraction of the next turn.
+fn turns_at(step: Stretch, f: Real) -> Real {
     if absorption.kind != WRAPPED {
         return 0.0;
     }
-    return Real(absorption.times * texture_share(absorption, texture_sum(absorption, place_in_absorption(absorption, p, h))));
+    let sum = texture_sum(absorption, stretch_place(step, f) - absorption.center);
+    return Real(absorption.times * texture_share(absorption, sum));
 }
 
-fn smaller_piece(absorption: Absorption, p: Phase, a: Real, own: Real) -> Real {
-    if !ABSORPTION_JUMPS {
-        return 0.5 * own;
-    }
+// Returns the distance from the start of a piece to its first jump, or half its size.
+fn size_to_jump(step: Stretch, a: Real, own: Real) -> Real {
     let beside = BESIDE_JUMP * own;
     var before = beside;
     var behind = own - beside;
@@ -35,7 +33,7 @@ fn smaller_piece(absorption: Absorption, p: Phase, a: Real, own: Real) -> Real {
         let line = before + (behind - before) * near / select(slope, 1.0, slope == 0.0);
         let between = clamp(line, before + beside, max(behind - beside, before + beside));
         let at = select(select(between, behind, i == 1u), before, i == 0u);
-        let turns = turns_at(absorption, p, a + at);
+        let turns = turns_at(step, a + at);
         if i == 0u {
             wraps = floor(turns);
             near = turns;

@@ -95,8 +95,10 @@ fn lit_step(ray: Ray) -> Ray {
     }
     let end = orbit_point(walk.here);
     // A path that rounding leaves above the capture sphere is followed once more.
-    if (walk.cuts > CUTS) & walk.seen & !follows_ended & law_captured(end[0].xyz, end[1].xyz) {
-        transfer_tail(stretch_from(walk.here, ray.tau + walk.passed), 0.0);
+    if HAS_HORIZON {
+        if (walk.cuts > CUTS) & walk.seen & !follows_ended & law_captured(end[0].xyz, end[1].xyz) {
+            transfer_tail(stretch_from(walk.here, ray.tau + walk.passed), 0.0);
+        }
     }
     var next = after_step(ray, end, walk.passed);
     next.steps = ray.steps + walk.steps;

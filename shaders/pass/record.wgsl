@@ -25,7 +25,7 @@ fn record(own: Invocation) {
         load_region(pixel);
         let ray = load_ended(pixel);
         let seen = recorded_at(ray, load_hit(pixel));
-        if TRANSFERS {
+        if IS_SPECTRAL {
             load_throughput(pixel);
             if COUNTS_TRANSFER {
                 note_glow();

@@ -6,9 +6,6 @@ fn terminate(own: Invocation) {
     var code = segment_status(load_segment(spot.pixel), load_tau(spot.pixel), spot.index, load_hit(spot.pixel));
     code = select(code, UNFINISHED, walk_unfinished(spot.pixel));
     let lives = spot.alive && code == ALIVE;
-    if ABSORBS {
-        absorption_passed(spot, lives);
-    }
     if TRANSFERS {
         transfer_segment(spot, lives);
     }

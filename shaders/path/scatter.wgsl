@@ -28,9 +28,6 @@ fn scatter_ray(ray: Ray, met: ptr<function, Hit>, pixel: vec2u) -> Ray {
         return ray;
     }
     let end = path_end(ray, *met);
-    if ABSORBS {
-        absorption_last(ray, end);
-    }
     if TRANSFERS {
         if COUNTS_TRANSFER {
             note_glow();

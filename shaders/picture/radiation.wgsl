@@ -12,6 +12,12 @@ fn earlier_light(k: u32) -> Real {
     return 0.0;
 }
 
+// Starts the transfer along the path of a pixel.
+fn start_transfer(pixel: vec2u) {
+    transferred = Light();
+    store_transfer(pixel);
+}
+
 fn load_transfer(pixel: vec2u) {
     let place = place_in_tile(pixel);
     for (var k = 0u; k < CHANNELS; k++) {
@@ -36,7 +42,9 @@ fn fail_transfer() {
 // surfaces scatter light, all of it has been scaled before.
 fn end_transfer(pixel: vec2u, color: vec3f, x: Real3) {
     var behind = Real((color.x + color.y + color.z) / 3.0);
+    var g: Real = 1.0;
     if KNOWS_SHIFT {
+        g = seen_shift;
         behind *= seen_shift * seen_shift * seen_shift;
     }
     var first: Real = 1.0;
@@ -46,7 +54,7 @@ fn end_transfer(pixel: vec2u, color: vec3f, x: Real3) {
         behind /= last * last;
     }
     for (var k = 0u; k < CHANNELS; k++) {
-        transferred.light[k] += transfer_exp(transferred.depth[k]) * behind;
+        transferred.light[k] += transfer_exp(transferred.depth[k]) * select(behind, g * behind, k >= FREQUENCIES);
         transferred.light[k] *= first * first;
     }
     if is_not_a_number(transferred.light[0]) {

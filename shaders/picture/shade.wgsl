@@ -17,16 +17,13 @@ fn shade_ray(pixel: vec2u, ray: Ray, end: Hit) {
         note_footprint(pixel, ray);
     }
     let seen = seen_at(ray, end);
-    if ABSORBS {
-        if !SHADES_ENDS {
-            absorption_last(ray, seen.end);
-        }
-    }
     if TRANSFERS {
-        if COUNTS_TRANSFER {
-            note_glow();
+        if !SHADES_ENDS {
+            if COUNTS_TRANSFER {
+                note_glow();
+            }
+            transfer_end(pixel, ray, seen.end);
         }
-        transfer_end(pixel, ray, seen.end);
     }
     if KEEPS_ENDS {
         if frame.sample != CORNERS {

@@ -23,6 +23,9 @@ var<storage, read_write> light_reaches: array<u32>;
 
 var<private> reaches: bool;
 
+// The fraction of the ray's light at the start of the segment, which matter weakens up to its end.
+var<private> weight_before: f32;
+
 // The side of a voxel in these numbers.
 const LIGHT_UNIT: f32 = 1024.0;
 // The largest distance of chords from an arc, in voxels, and their largest number.
@@ -40,8 +43,20 @@ fn keep_reach(pixel: vec2u) {
     light_reaches[i] = select(light_reaches[i], 1u, reaches);
 }
 
-// s: a segment whose part up to the fraction `until` is passed by the share `share` of a ray.
-fn leave_light(s: Segment, until: Real, share: f32) {
+fn note_weight() {
+    weight_before = light_weight();
+}
+
+// Returns the factor by which light declines along the segment, as a power of 2: matter counts as uniform along it.
+fn weight_decline() -> f32 {
+    if !TRANSFERS {
+        return 0.0;
+    }
+    return log2(max(light_weight(), 1e-30) / max(weight_before, 1e-30));
+}
+
+// s: a segment that a ray has passed up to the fraction `until`.
+fn leave_light(s: Segment, until: Real) {
     if !finite(s.x0) || !finite(s.x1) {
         return;
     }
@@ -51,13 +66,14 @@ fn leave_light(s: Segment, until: Real, share: f32) {
     var a = vec3f((s.x0 - lo) / Real(light_volume.h));
     for (var k = 1u; k <= chords; k++) {
         let b = vec3f((segment_point(s, until * Real(k) / Real(chords)) - lo) / Real(light_volume.h));
-        leave_chord(a, b, share);
+        let passed = weight_decline() / f32(chords);
+        leave_chord(a, b, weight_before * exp2(f32(k - 1u) * passed), passed);
         a = b;
     }
 }
 
-// Deposits along the chord from a to b, in voxels.
-fn leave_chord(a: vec3f, b: vec3f, share: f32) {
+// Deposits along the chord from a to b, in voxels; the share of light at its start declines by a power of 2.
+fn leave_chord(a: vec3f, b: vec3f, share: f32, decline: f32) {
     let d = b - a;
     let size = length(d);
     let still = abs(d) < vec3f(1e-12);
@@ -81,7 +97,7 @@ fn leave_chord(a: vec3f, b: vec3f, share: f32) {
         let corner = vec3f(floor(place * cut));
         let out = select((select(corner, corner + 1.0, d > vec3f(0.0)) / cut - a) * inverse, vec3f(1e30), still);
         let next = min(last, max(min(out.x, min(out.y, out.z)), t + nudge));
-        let passed = LIGHT_UNIT * cut * share * (next - t);
+        let passed = LIGHT_UNIT * cut * share * exp2(0.5 * (t + next) * decline) * (next - t);
         let refine = light_volume.refine;
         let fine = min(vec3u(max(corner - cut * vec3f(voxel), vec3f(0.0))), vec3u(refine - 1u));
         let part = (brick - 1u) * refine * refine * refine + light_index(fine, vec3u(refine));

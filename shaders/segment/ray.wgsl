@@ -83,14 +83,12 @@ const UNFINISHED: u32 = 12u;
 const UNLIT: u32 = 13u;
 // Also only counted: light that a voxel had no room for.
 const LOST: u32 = 14u;
-// Also only counted: a stretch of a path whose absorption did not converge to the tolerance, or is invalid: below 0, or above 1.
-const UNFILTERED: u32 = 15u;
 // Also only counted: a segment that needs more loop iterations than the device runs in one pass.
-const OVERRUN: u32 = 16u;
+const OVERRUN: u32 = 15u;
 // Also only counted: a path through matter that is negative, not a number or faster than light.
-const UNDEFINED: u32 = 17u;
-// Also only counted: a stretch of a path on which the light of volumes did not converge to the tolerance.
-const UNSETTLED: u32 = 18u;
+const UNDEFINED: u32 = 16u;
+// Also only counted: a stretch of a path on which the light or the absorption of matter did not converge to the tolerance.
+const UNSETTLED: u32 = 17u;
 
 // Returns `true` if the path ended on a surface.
 fn ends_on_surface(code: u32) -> bool {

@@ -28,13 +28,13 @@ fn follow_segments(spot: ActiveRay, ray: ptr<function, Ray>, end: ptr<function, 
             }
             clear_last_hit();
             if LEAVES_LIGHT {
-                leave_light(quick.segment, 1.0, light_weight());
-            }
-            if ABSORBS {
-                absorption_step(*ray, next);
+                note_weight();
             }
             if TRANSFERS {
-                transfer_passed(*ray, next);
+                transfer_passed(*ray, next, 1.0);
+            }
+            if LEAVES_LIGHT {
+                leave_light(quick.segment, 1.0);
             }
             if KEEPS_LENGTH {
                 add_length(spot.pixel, (*ray).phase, next.phase[0].xyz, next.phase[1].xyz);
@@ -57,14 +57,18 @@ fn follow_segments(spot: ActiveRay, ray: ptr<function, Ray>, end: ptr<function, 
         clear_last_hit();
         *segments += 1u;
         if LEAVES_LIGHT {
-            leave_light(segment, select(1.0, hit.t, hit.primitive != NOTHING), light_weight());
+            let until = select(1.0, hit.t, hit.primitive != NOTHING);
+            let kept = kept_throughput();
+            note_weight();
+            if TRANSFERS {
+                transfer_passed(*ray, next, until);
+            }
+            leave_light(segment, until);
+            restore_throughput(kept);
         }
         if code == ALIVE {
-            if ABSORBS {
-                absorption_step(*ray, next);
-            }
             if TRANSFERS {
-                transfer_passed(*ray, next);
+                transfer_passed(*ray, next, 1.0);
             }
             if KEEPS_LENGTH {
                 add_length(spot.pixel, (*ray).phase, next.phase[0].xyz, next.phase[1].xyz);

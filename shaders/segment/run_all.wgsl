@@ -32,11 +32,8 @@ fn follow_segments(spot: ActiveRay, ray: ptr<function, Ray>, end: ptr<function, 
             (*ray).rejected = next.rejected;
             (*ray).status = code;
             if code == ALIVE {
-                if ABSORBS {
-                    absorption_step(*ray, next);
-                }
                 if TRANSFERS {
-                    transfer_passed(*ray, next);
+                    transfer_passed(*ray, next, 1.0);
                 }
                 if KEEPS_LENGTH {
                     add_length(spot.pixel, (*ray).phase, next.phase[0].xyz, next.phase[1].xyz);

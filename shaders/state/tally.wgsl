@@ -1,7 +1,7 @@
 // Sums totals over all rays, on the device.
 
 // The number of entries: one for every status code, and for each of the other counts.
-const STATUSES: u32 = 19u;
+const STATUSES: u32 = 18u;
 
 struct Tally {
     // Counts beyond 32 bits: the low word, and the number of its overflows.

@@ -72,7 +72,7 @@ fn seen_frequencies(v: u32) -> Real2 {
 // Returns `true` if a piece may hide light of a channel, of whose coefficient `most` is the largest possible emission and absorption.
 fn hides_light(v: u32, c: u32, k: u32, most: Real2, piece: TransferPiece, size: Real) -> bool {
     let at = seen[v].most[c];
-    let allowed = Real(transfer.tolerance) * light_that_counts(k, piece.added);
+    let allowed = transfer_allowed * light_that_counts(k, piece.added);
     let added = Real2(piece.added.light[k], depth_weight(k) * piece.added.depth[k]);
     let counts = (at < 1e-20 * most) | (added * most > allowed * at);
     let is_seen = size * most <= HIDDEN_PART * step_most[v] + Real2(HIDDEN_LEAST);

@@ -1,4 +1,4 @@
-// The light of volumes along a whole path, from pass to pass.
+// The light of matter along a whole path, from pass to pass.
 
 // Adds the light of a step up to the fraction `until`, as the camera sees it.
 fn transfer_along(step: Stretch, until: Real) {
@@ -17,12 +17,6 @@ fn transfer_along(step: Stretch, until: Real) {
     }
 }
 
-// Starts the transfer of the path of a pixel.
-fn start_transfer(pixel: vec2u) {
-    transferred = Light();
-    store_transfer(pixel);
-}
-
 // Prepares the transfer along the next steps of a pixel's ray.
 fn begin_transfer(pixel: vec2u) {
     if SHIFTS_VOLUMES {
@@ -34,14 +28,15 @@ fn begin_transfer(pixel: vec2u) {
     transfer_doubts = array<Real2, CHANNELS>();
 }
 
-fn transfer_passed(ray: Ray, next: Ray) {
+// Adds the light of the step from `ray` to `next`, up to the fraction `until`.
+fn transfer_passed(ray: Ray, next: Ray, until: Real) {
     if TRANSFERS_ORBITS {
         return;
     }
     if COUNTS_TRANSFER {
         note_glow();
     }
-    transfer_along(stretch_of(ray, next), 1.0);
+    transfer_along(stretch_of(ray, next), until);
 }
 
 // Adds the light of the last step of a path, up to its end.
@@ -95,7 +90,7 @@ fn transfer_segment(spot: ActiveRay, lives: bool) {
         load_throughput(spot.pixel);
         begin_transfer(spot.pixel);
         let ray = load_ray(spot.pixel, spot.word);
-        transfer_passed(ray, accepted_step(ray));
+        transfer_passed(ray, accepted_step(ray), 1.0);
         keep_transfer(spot.pixel);
         store_throughput(spot.pixel);
     }
@@ -107,7 +102,9 @@ fn keep_transfer(pixel: vec2u) {
         note_doubts();
     } else {
         if TRANSFERS_ORBITS {
-            note_glow();
+            if COUNTS_TRANSFER {
+                note_glow();
+            }
         }
         add_step();
     }

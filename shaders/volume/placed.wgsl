@@ -35,9 +35,9 @@ fn formula_axes(arm: Real3) -> Real3 {
 // Density below this is none, as rounding in 32 bits makes it.
 const LEAST_DENSITY: Real = 1e-37;
 
-// Adds matter of density n to a channel.
-fn add_matter(matter: ptr<function, Matter>, k: u32, n: Real, emission: Real, absorption: Real) {
-    let valid = n > 0.0 && emission >= 0.0 && absorption >= 0.0 && emission < 1e30 && absorption < 1e30;
+// Adds matter to a channel.
+fn add_matter(matter: ptr<function, Matter>, k: u32, emission: Real, absorption: Real) {
+    let valid = emission >= 0.0 && absorption >= 0.0 && emission < 1e30 && absorption < 1e30;
     transfer_invalid = transfer_invalid || !valid;
     (*matter).emission[k] += select(0.0, emission, valid);
     (*matter).absorption[k] += select(0.0, absorption, valid);

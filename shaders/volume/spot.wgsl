@@ -12,6 +12,8 @@ struct Spot {
     tau: Real,
     // dλ, or the length, per unit of the step.
     pace: Real,
+    // The length per unit of the step, if there are media that absorb.
+    length: Real,
     // The squared refractive index.
     index: Real,
     // The momentum K of light of frequency 1 at the camera, into the past, and its conserved parts K_t and K_φ.

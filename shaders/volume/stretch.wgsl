@@ -27,6 +27,11 @@ fn stretch_last(step: LastStep) -> Stretch {
 }
 
 fn stretch_place(step: Stretch, f: Real) -> Real3 {
+    if WEAKENS_LINES {
+        if on_line {
+            return line_start + f * line_way;
+        }
+    }
     return stretch_phase(step, f)[0].xyz;
 }
 
@@ -44,29 +49,53 @@ fn stretch_left(step: Stretch, f: Real) -> Real {
     return 1.0 / (step.h * own_pace(p) * law_descent(p[0].xyz, path_velocity(p[1].xyz), transfer.horizon));
 }
 
-// Returns the position and the light at a fraction of a step.
-fn stretch_spot(step: Stretch, f: Real) -> Spot {
-    let p = stretch_phase(step, f);
-    let x = p[0].xyz;
-    let v = path_velocity(p[1].xyz);
+// Returns a point of a path in the scene, without the light there.
+fn spot_at(x: Real3) -> Spot {
     var spot: Spot;
     spot.x = x;
     spot.higher = 1.0;
-    let n = medium_index(x);
-    spot.index = n * n;
+    spot.index = 1.0;
+    if EMITS {
+        let n = medium_index(x);
+        spot.index = n * n;
+    }
     if PLACES_BY_LAW {
         let q = formula_axes(law_arm(x));
         spot.r = law_radius(law_arm(x));
         spot.cosine = clamp(q.z / max(spot.r, 1e-30), -1.0, 1.0);
         spot.sine = length(q.xy) / max(law_axial(spot.r), 1e-30);
     }
+    return spot;
+}
+
+// Returns a point of a straight line, with matter as it is at the camera's time.
+fn line_spot(x: Real3) -> Spot {
+    var spot = spot_at(x);
+    spot.time = Real(transfer.time);
+    spot.pace = length(line_way);
+    spot.length = spot.pace;
+    return spot;
+}
+
+// Returns the position and the light at a fraction of a step.
+fn stretch_spot(step: Stretch, f: Real) -> Spot {
+    if WEAKENS_LINES {
+        if on_line {
+            return line_spot(stretch_place(step, f));
+        }
+    }
+    let p = stretch_phase(step, f);
+    let x = p[0].xyz;
+    let v = path_velocity(p[1].xyz);
+    var spot = spot_at(x);
     if VOLUMES_CHANGE {
         spot.tau = step.tau + own_tau(step.start, p, f * step.h);
         spot.time = Real(transfer.time) - spot.tau;
     }
     let pace = own_pace(p) * step.h;
+    spot.length = pace * length(v);
     if !SHIFTS_VOLUMES {
-        spot.pace = pace * length(v);
+        spot.pace = spot.length;
         return spot;
     }
     if FOLLOWS_SHIFT {

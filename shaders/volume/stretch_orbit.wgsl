@@ -91,8 +91,11 @@ fn stretch_spot(step: Stretch, f: Real) -> Spot {
         spot.tau = step.tau + orbit_time(step.start, here, f * step.s);
         spot.time = Real(transfer.time) - spot.tau;
     }
+    if MEDIA_ABSORB || !SHIFTS_VOLUMES {
+        spot.length = step.s * orbit_pace(here, here.u, here.n.z, here.gap) * length(point[1]);
+    }
     if !SHIFTS_VOLUMES {
-        spot.pace = step.s * orbit_pace(here, here.u, here.n.z, here.gap) * length(point[1]);
+        spot.pace = spot.length;
         return spot;
     }
     spot.energy = ray_kept.x;

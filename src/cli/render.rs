@@ -351,22 +351,16 @@ pub(super) fn warn(totals: &Totals) {
     if totals.undefined > 0 {
         tell!(
             "warning: {} of {} rays passed matter that is negative, not a number or faster than light, and show nothing: check \
-             density, emission, absorption and flow of the volumes",
+             density, emission, absorption and flow of the volumes, and whether each transmittance is between 0 and 1",
             totals.undefined,
             totals.rays
         );
     }
-    if totals.unfiltered > 0 {
-        tell!(
-            "warning: absorption did not converge to absorption.tolerance, or its formula left [0, 1], on {} path segments: raise \
-             the tolerance, or correct the formula",
-            totals.unfiltered
-        );
-    }
     if totals.unsettled > 0 {
         tell!(
-            "warning: the light of volumes did not converge to radiation.tolerance, or to 0.001 of colors, on {} path segments, whose \
-             errors are larger: raise the tolerance, use --precision f64, or smooth the edges of the matter",
+            "warning: light in matter did not converge to its tolerance on {} path segments, whose errors are larger: raise the \
+             tolerance of `radiation` or `absorption` (0.001 for colors of volumes), use --precision f64, or smooth the edges \
+             of the matter",
             totals.unsettled
         );
     }

@@ -10,7 +10,7 @@ use crate::program::{Region, constant};
 impl Uploads<'_> {
     /// Returns the rows of `absorptions`: one for each region, followed by one for the surrounding space.
     pub(super) fn absorptions(&self) -> Vec<Row> {
-        let none = Absorption::even(DVec3::ONE);
+        let none = Absorption { tolerance: 1.0, ..Absorption::even(DVec3::ONE) };
         let objects = &self.scene.objects;
         let of_object = |object: usize| objects[object].interior()?.absorption.as_deref();
         // Formulas are counted in the order of the file, whatever the order of the regions.

@@ -44,8 +44,10 @@ impl Uploads<'_> {
             one("limit", row! { length: Float(rays.max_parameter.unwrap_or(f64::MAX)) }),
             one("sky", sky_row(sky)),
         ];
-        if !self.scene.volumes.is_empty() {
+        if self.program.features.volumes.transfers {
             all.push(one("transfer", self.transfer()));
+        }
+        if !self.scene.volumes.is_empty() {
             let is_by_law = self.scene.places_volumes_by_law();
             all.push(volume::grids(&self.scene.volumes));
             all.push(volume::regions(&self.scene.volumes, |own| if is_by_law { DVec3::ZERO } else { own.center() }));
@@ -75,10 +77,11 @@ impl Uploads<'_> {
         let axes = self.scene.law.formula_axes();
         let tolerance = radiation.map_or(Radiation::COLOR_TOLERANCE, |radiation| radiation.tolerance);
         row! {
-            tolerance: Float(tolerance),
+            // Media have their own tolerances.
+            tolerance: Float(if self.scene.volumes.is_empty() { 1.0 } else { tolerance }),
             arc: Float(LONGEST_ARC * (tolerance / ARC_ERROR).powf(1.0 / 6.0).min(1.0)),
             horizon: Float(self.scene.horizon().map_or(0.0, |horizon| horizon.radius)),
-            edge: Float(self.scene.volumes_reach().map_or(0.0, f64::recip)),
+            edge: Float(self.scene.matter_reach().map_or(0.0, f64::recip)),
             time: Float(self.scene.camera.as_ref().map_or(0.0, |camera| camera.time)),
             white: Float(radiation.map_or(1.0, |radiation| radiation.white) / self.scene.intensity_unit().unwrap_or(1.0)),
             last_prograde: Vec3(self.last_stable(Observer::ProgradeOrbit)),

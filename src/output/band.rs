@@ -34,12 +34,13 @@ pub const fn channels(layer: Layer) -> &'static [&'static str] {
         Layer::CrossingAngle => &["crossing_angle.0", "crossing_angle.1", "crossing_angle.2", "crossing_angle.3"],
         Layer::Intensity(k) => FREQUENCIES[0][(k % 8) as usize],
         Layer::OpticalDepth(k) => FREQUENCIES[1][(k % 8) as usize],
+        Layer::MeanRedshift(k) => FREQUENCIES[2][(k % 8) as usize],
         Layer::Way => &["way.X", "way.Y", "way.Z"],
     }
 }
 
 /// The channels of layers of frequencies, by index.
-const FREQUENCIES: [[&[&str]; 8]; 2] = [
+const FREQUENCIES: [[&[&str]; 8]; 3] = [
     [
         &["intensity.0"],
         &["intensity.1"],
@@ -59,6 +60,16 @@ const FREQUENCIES: [[&[&str]; 8]; 2] = [
         &["optical_depth.5"],
         &["optical_depth.6"],
         &["optical_depth.7"],
+    ],
+    [
+        &["mean_redshift.0"],
+        &["mean_redshift.1"],
+        &["mean_redshift.2"],
+        &["mean_redshift.3"],
+        &["mean_redshift.4"],
+        &["mean_redshift.5"],
+        &["mean_redshift.6"],
+        &["mean_redshift.7"],
     ],
 ];
 

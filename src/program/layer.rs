@@ -43,8 +43,10 @@ pub enum Layer {
     CrossingAngle,
     /// The intensity at a frequency of the scene, by its index.
     Intensity(u8),
-    /// The optical depth of volumes at a frequency of the scene, by its index.
+    /// The optical depth of matter at a frequency of the scene, by its index.
     OpticalDepth(u8),
+    /// The mean redshift factor g of the light at a frequency of the scene, by its index, weighted by intensity.
+    MeanRedshift(u8),
     /// The direction of the ray at its end, with the path length as its
     /// magnitude; used by measurements on images, and not written to files.
     Way,
@@ -61,6 +63,12 @@ pub enum LayerKind {
     Crossings,
     /// A whole number.
     Id,
+}
+
+/// Returns a name for each of eight frequencies.
+macro_rules! numbered {
+    ($name:literal, $k:expr) => { numbered!($name, $k, 0 1 2 3 4 5 6 7) };
+    ($name:literal, $k:expr, $($digit:literal)+) => { [$(concat!($name, "_", $digit)),+][usize::from($k % 8)] };
 }
 
 /// The largest number of crossings of translucent surfaces that are stored for a ray.
@@ -99,8 +107,15 @@ impl Layer {
             Self::CrossingTime if !scene.law.facts().keeps_time => Some(
                 "the layer `crossing_time` requires a law whose τ is a time, such as law.kind = \"kerr-newman\" for any black hole",
             ),
-            Self::Intensity(k) | Self::OpticalDepth(k) if usize::from(k) >= scene.frequencies() => {
-                Some("the layers `intensity_K` and `optical_depth_K` require [radiation] with more than K frequencies")
+            Self::MeanRedshift(_) if !scene.has_frequencies() => Some(
+                "the layers `mean_redshift_K` require camera.observer and a law that defines the frequency of light",
+            ),
+            Self::Intensity(k) | Self::OpticalDepth(k) | Self::MeanRedshift(k)
+                if usize::from(k) >= scene.frequencies() =>
+            {
+                Some(
+                    "the layers `intensity_K`, `optical_depth_K` and `mean_redshift_K` require [radiation] with more than K frequencies",
+                )
             }
             _ => None,
         }
@@ -109,7 +124,7 @@ impl Layer {
     /// Returns `true` if the layer describes light at a frequency of the scene.
     #[must_use]
     pub fn is_of_frequencies(self) -> bool {
-        matches!(self, Self::Intensity(_) | Self::OpticalDepth(_))
+        matches!(self, Self::Intensity(_) | Self::OpticalDepth(_) | Self::MeanRedshift(_))
     }
 
     /// Returns `true` if the layer describes the crossings of translucent surfaces.
@@ -135,7 +150,8 @@ impl Layer {
             | Self::Redshift
             | Self::LuminanceM2
             | Self::Intensity(_)
-            | Self::OpticalDepth(_) => LayerKind::Scalar,
+            | Self::OpticalDepth(_)
+            | Self::MeanRedshift(_) => LayerKind::Scalar,
             Self::Position | Self::Normal | Self::Way | Self::Accumulated | Self::ImageOrder => LayerKind::Vector,
             Self::CrossingRadius
             | Self::CrossingAzimuth
@@ -147,7 +163,7 @@ impl Layer {
     }
 
     /// Every layer that files can store.
-    pub const ALL: [Self; 34] = [
+    pub const ALL: [Self; 42] = [
         Self::Depth,
         Self::Segments,
         Self::Position,
@@ -182,6 +198,14 @@ impl Layer {
         Self::OpticalDepth(5),
         Self::OpticalDepth(6),
         Self::OpticalDepth(7),
+        Self::MeanRedshift(0),
+        Self::MeanRedshift(1),
+        Self::MeanRedshift(2),
+        Self::MeanRedshift(3),
+        Self::MeanRedshift(4),
+        Self::MeanRedshift(5),
+        Self::MeanRedshift(6),
+        Self::MeanRedshift(7),
     ];
 
     /// Returns `true` if the layer describes a pixel's first ray. Other layers describe all rays of a pixel.
@@ -214,26 +238,9 @@ impl Layer {
             Self::CrossingTime => "crossing_time",
             Self::CrossingRedshift => "crossing_redshift",
             Self::CrossingAngle => "crossing_angle",
-            Self::Intensity(k) => [
-                "intensity_0",
-                "intensity_1",
-                "intensity_2",
-                "intensity_3",
-                "intensity_4",
-                "intensity_5",
-                "intensity_6",
-                "intensity_7",
-            ][usize::from(k % 8)],
-            Self::OpticalDepth(k) => [
-                "optical_depth_0",
-                "optical_depth_1",
-                "optical_depth_2",
-                "optical_depth_3",
-                "optical_depth_4",
-                "optical_depth_5",
-                "optical_depth_6",
-                "optical_depth_7",
-            ][usize::from(k % 8)],
+            Self::Intensity(k) => numbered!("intensity", k),
+            Self::OpticalDepth(k) => numbered!("optical_depth", k),
+            Self::MeanRedshift(k) => numbered!("mean_redshift", k),
             Self::Way => "way",
         }
     }
@@ -267,7 +274,10 @@ impl Layer {
             Self::Intensity(_) => {
                 "Intensity at the frequency of this index: in erg/(cm² s Hz sr) with radiation.emission and [units], otherwise in emission times scene units"
             }
-            Self::OpticalDepth(_) => "Optical depth of volumes at the frequency of this index",
+            Self::OpticalDepth(_) => "Optical depth of matter at the frequency of this index",
+            Self::MeanRedshift(_) => {
+                "Mean redshift factor g of the light at the frequency of this index, weighted by intensity"
+            }
             Self::Way => "Direction of the ray at its end",
         }
     }

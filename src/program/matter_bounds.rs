@@ -37,13 +37,14 @@ pub(super) fn hides(volumes: &[Volume], channels: usize) -> String {
             let (lines, values) = bounds.body(&[formulas.temperature.unwrap_or(channel.emission), channel.absorption]);
             let [emission, absorption] = &values[..] else { continue };
             let emission = match formulas.temperature {
-                Some(_) => format!("interval_product({emission}, {absorption})"),
-                None => emission.clone(),
+                Some(_) => format!("interval_product({emission}, {absorption}).y"),
+                None => most(formulas, channel.emission, emission),
             };
+            let absorption = most(formulas, channel.absorption, absorption);
             let _ = writeln!(
                 functions,
                 "fn volume_most_{c}_{v}(ranges: array<Real2, {count}>, density: Real2, frequencies: Real2) -> Real2 {{\n\
-                 {lines}    return Real2({emission}.y, {absorption}.y);\n}}\n"
+                 {lines}    return Real2({emission}, {absorption});\n}}\n"
             );
             // Of powers of the frequency, only the factor is compared.
             let frequencies = if formulas.exponents().is_some() {
@@ -61,6 +62,11 @@ pub(super) fn hides(volumes: &[Volume], channels: usize) -> String {
         text += "    }\n";
     }
     functions + &text + "    return hides;\n}\n\n"
+}
+
+/// Returns the upper end of a range; naga does not evaluate components of constant vectors.
+fn most(formulas: &VolumeFormulas, id: Id, range: &str) -> String {
+    formulas.graph().number(id).map_or_else(|| format!("{range}.y"), |number| format!("Real({number:?})"))
 }
 
 /// Generates the record of the values at a point from which the bounds along a piece follow.

@@ -26,6 +26,7 @@ mod linked;
 mod location;
 mod loop_counts;
 mod lower;
+mod matter;
 mod matter_bounds;
 mod names;
 mod onward_parts;

@@ -1,32 +1,10 @@
-//! Choice of the modules for events along rays: scattering at surfaces, and absorption in media.
+//! Choice of the modules for events along rays: scattering at surfaces.
 
 use super::names::Names;
 use super::regions::Regions;
 use super::{Features, Mode, formula, generated};
-use crate::model::{Absorption, Gloss, Material};
+use crate::model::{Gloss, Material};
 use crate::scene::Scene;
-
-/// Adds the modules for absorption in media.
-pub(super) fn absorption_modules(scene: &Scene, features: &Features, names: &mut Names) {
-    if !features.absorbs {
-        return;
-    }
-    names.all(&["absorption/along", "absorption/density", "absorption/track", "absorption/jumping"]);
-    let mut kinds: Vec<_> = scene.absorptions().map(|filter| (filter.texture().is_some(), filter.kind())).collect();
-    // If nothing absorbs, absorption is uniform.
-    kinds.push((false, "even"));
-    kinds.sort_unstable();
-    kinds.dedup();
-    if scene.absorptions().any(|filter| filter.texture().is_some()) {
-        names.all(&["absorption/noise", "medium/fractal_noise"]);
-    }
-    let formulas: Vec<_> = scene.absorptions().filter_map(Absorption::formulas).collect();
-    if !formulas.is_empty() {
-        names.make(formula::absorptions(&formulas));
-        names.add("medium/formula");
-    }
-    names.make(generated::absorptions(&kinds));
-}
 
 /// Adds the modules for the medium of a ray, and for scattering at surfaces.
 pub(super) fn scatter_parts(scene: &Scene, features: &Features, regions: &Regions, names: &mut Names) {
@@ -109,7 +87,7 @@ fn plain_throughput(features: &Features) -> &'static str {
         Mode::Light | Mode::Caustics => "surface/throughput/single",
         _ if features.volumes.is_spectral && features.volumes.counts_transfer => "surface/throughput/single",
         Mode::Picture if features.sees_glow => "path/carried",
-        Mode::Picture if features.absorbs => "surface/throughput/colored",
+        Mode::Picture if features.volumes.absorbs && !features.volumes.is_spectral => "surface/throughput/colored",
         _ => "surface/throughput/none",
     }
 }

@@ -1,14 +1,14 @@
 //! The plan: the modules of a scene's program. It has one file per contract, the cheapest that is correct for the scene, and the files
 //! without alternatives; code that a pass does not reach is dropped by the linker.
 
+use super::matter::matter_parts;
 use super::names::Names;
-use super::onward_parts::{absorption_modules, scatter_parts};
+use super::onward_parts::scatter_parts;
 use super::picture_parts::{bundle_part, camera_parts, material_parts, picture_parts, samples_part};
 use super::region_parts::region_parts;
 use super::regions::RegionKind;
 use super::structure::solids;
 use super::unit::Parts;
-use super::volumes::volume_parts;
 use super::{Analysis, Features, PathEnds, ProgramError, RaySkipping, generated, short_lists};
 use crate::model::point_source::ANCHORS;
 use crate::scene::{Precision, Scene, Segment};
@@ -100,8 +100,7 @@ pub fn plan(scene: &Scene, analysis: &Analysis, features: &Features) -> Result<P
     shadow_parts(features, &mut names);
     let wavelength = if features.draws_wavelength { "path/spectrum" } else { "medium/wavelength" };
     names.when(features.disperses, &[wavelength]);
-    absorption_modules(scene, features, &mut names);
-    volume_parts(scene, features, &mut names);
+    matter_parts(scene, features, &mut names);
     let of_kind = |kind: &RegionKind| region_parts(scene, features, regions, kind);
     Ok(Parts {
         shared: names.units()?,

@@ -16,7 +16,7 @@ const BEGINNING: &str =
     "camera.position = [0, 0, 9]\nrays.bounding_sphere.radius = 90\nmaterials.m.diffuse = [0.5, 0.5, 0.5]\n";
 
 /// Scenes, each with modules that no scene before it links.
-const OTHERS: [&str; 16] = [
+const OTHERS: [&str; 15] = [
     "camera.kind = 'panorama'
      camera.stereo = { separation = 0.1, convergence = 3 }",
     "camera.stereo = { separation = 0.1, convergence = 3 }
@@ -54,7 +54,6 @@ const OTHERS: [&str; 16] = [
      law.order = 2
      rays.method = 'leapfrog'
      rays.curvature_step = 2",
-    "volumes = [{ shape = 'sphere', emission = 'exp(-r)' }]",
     "camera.kind = 'orthographic'
      camera.height = 1
      law.kind = 'lorenz'

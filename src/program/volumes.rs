@@ -4,55 +4,33 @@ use std::fmt::Write as _;
 
 use super::Features;
 use super::formula::body;
-use super::generated::{switch, unit};
+use super::generated::switch;
 use super::matter_bounds::{bounds, hides, recorded};
 use super::names::Names;
-use super::unit::Unit;
 use crate::assets::{Id, VolumeFormulas};
-use crate::model::Wgsl;
 use crate::model::law::Observer;
-use crate::model::volume::{Flow, Radiation, Show};
+use crate::model::volume::{Flow, Radiation};
 use crate::scene::{Scene, Volume};
 
 /// Planck's constant times 1 Hz divided by Boltzmann's constant, in kelvins.
 const KELVIN_PER_HERTZ: f64 = 4.799_243_073_366_221e-11;
 
-/// The module with the functions of formulas, which media and laws may have already.
-const FORMULA: &str = "medium/formula";
-
-/// Adds the modules for light along paths through volumes.
+/// Adds the modules for matter in volumes.
 pub(super) fn volume_parts(scene: &Scene, features: &Features, names: &mut Names) {
-    if !features.volumes.transfers {
-        return;
-    }
-    names.all(&["volume/transfer", "volume/path", "volume/region_crossing", "volume/spot"]);
     let is_central =
         features.volumes.transfers_orbits && scene.volumes.iter().all(|volume| central_radius(volume, scene).is_some());
+    names.all(&["volume/region_crossing", "volume/flow"]);
     names.add(if is_central { "volume/region_central" } else { "volume/region" });
-    names.add(if features.volumes.transfers_orbits { "volume/stretch_orbit" } else { "volume/stretch" });
-    names.all(&["volume/flow", "volume/placed"]);
     names.when(features.volumes.places_by_law, scene.law.facts().momentum_parts);
-    let by_law = scene.law.parts().contains(&Wgsl::Part(FORMULA.into()));
-    if scene.media().all(|medium| medium.facts().formula.is_none()) && scene.fans().is_empty() && !by_law {
-        names.add(FORMULA);
-    }
     names.when(features.volumes.has_grids, &["volume/grids"]);
-    names.add(if features.volumes.is_spectral { "picture/radiation" } else { "volume/colored" });
-    if features.volumes.bounds_matter {
-        names.all(&["real/interval", "volume/bounds"]);
-    }
-    names.make(volumes(scene, features));
+    names.when(features.volumes.bounds_matter, &["real/interval", "volume/bounds"]);
 }
 
-/// Generates the matter of all volumes at a point of a path.
-fn volumes(scene: &Scene, features: &Features) -> Unit {
+/// Generates the matter of each volume.
+pub(super) fn volumes(scene: &Scene, features: &Features) -> String {
     let all = &scene.volumes;
-    let channels = scene.radiation.as_ref().map_or(3, |radiation| radiation.frequencies.len());
     let coefficients = all.iter().map(|volume| volume.formulas.coefficients.len()).max().unwrap_or(1);
-    let mut text = format!(
-        "const CHANNELS: u32 = {channels}u;\nconst VOLUMES: u32 = {}u;\nconst COEFFICIENTS: u32 = {coefficients}u;\n\n",
-        all.len()
-    );
+    let mut text = format!("const VOLUMES: u32 = {}u;\nconst COEFFICIENTS: u32 = {coefficients}u;\n\n", all.len());
     if features.volumes.bounds_matter {
         let most = all.iter().map(|volume| bounds(&volume.formulas).leaves.len()).max().unwrap_or(0);
         let _ = writeln!(text, "const SMOOTH_FUNCTIONS: u32 = {most}u;\n");
@@ -68,27 +46,13 @@ fn volumes(scene: &Scene, features: &Features) -> Unit {
     for (v, volume) in all.iter().enumerate() {
         text += &one(v, volume, scene, features);
     }
-    text += "fn matter_of(spot: Spot, within: u32) -> Matter {\n    var matter: Matter;\n";
-    for v in 0..all.len() {
-        let call = format!("add_volume_{v}(spot, &matter);");
-        // A piece is in some volume, so that a single one needs no test.
-        let _ = match all.len() {
-            1 => writeln!(text, "    {call}"),
-            _ => writeln!(text, "    if (within & {}u) != 0u {{\n        {call}\n    }}", 1_u32 << v),
-        };
-    }
-    text += "    return matter;\n}\n\nfn matter_at(step: Stretch, within: u32, f: Real) -> Matter {\n    \
-             return matter_of(stretch_spot(step, f), within);\n}\n\n";
     if features.volumes.bounds_matter {
-        text += &hides(all, channels);
+        text += &hides(all, frequencies(scene, features).len());
     }
     if features.volumes.has_grids {
         text += &cells(all);
     }
-    if let Some(radiation) = &scene.radiation {
-        text += &shown(radiation);
-    }
-    unit("generated/volumes.wgsl", text)
+    text
 }
 
 /// The longest piece of a path through a grid, in cells: its six points are not farther apart than samples.
@@ -160,6 +124,22 @@ fn one(v: usize, volume: &Volume, scene: &Scene, features: &Features) -> String 
     text
 }
 
+/// Returns the frequency of each channel of light, in units of ν₀. On paths from light sources, all colors have the first one.
+pub(super) fn frequencies(scene: &Scene, features: &Features) -> Vec<f64> {
+    match &scene.radiation {
+        Some(radiation) if features.volumes.is_spectral => radiation.frequencies.clone(),
+        radiation => vec![radiation.as_ref().map_or(1.0, |radiation| radiation.frequencies[0]); 3],
+    }
+}
+
+/// Returns the powers of ν to which all emission and all absorption are proportional, so that one channel has the matter of all frequencies.
+pub(super) fn common_exponents(scene: &Scene, features: &Features) -> Option<[f64; 2]> {
+    let is_alone = !features.volumes.media_absorb && features.mean_redshifts(scene).next().is_none();
+    let mut all = scene.volumes.iter().map(|volume| volume.formulas.exponents());
+    let first = all.next().flatten().filter(|_| features.volumes.is_spectral && is_alone)?;
+    all.all(|own| own == Some(first)).then_some(first)
+}
+
 /// Generates the addition of a volume's matter at a spot.
 fn added(v: usize, volume: &Volume, scene: &Scene, features: &Features) -> String {
     let formulas = &volume.formulas;
@@ -173,7 +153,7 @@ fn added(v: usize, volume: &Volume, scene: &Scene, features: &Features) -> Strin
     if is_bounded {
         let _ = writeln!(text, "    see_volume_{v}(p);");
     }
-    text += "    if n >= 0.0 && n < LEAST_DENSITY {\n        return;\n    }\n";
+    text += "    if n >= 0.0 && n < LEAST_DENSITY {\n        return;\n    }\n    transfer_invalid = transfer_invalid || !(n > 0.0);\n";
     let shifts = features.volumes.shifts_volumes;
     let shift = if shifts { shift(v, volume.flow) } else { "1.0".to_owned() };
     let eulerian_falls = scene.law.facts().below.is_some();
@@ -192,18 +172,20 @@ fn added(v: usize, volume: &Volume, scene: &Scene, features: &Features) -> Strin
         let _ = writeln!(text, "    let bright = rate * one.x{};", power(emission));
         let _ = writeln!(text, "    let dim = dimming * one.y{};", power(absorption));
     }
-    let channels = radiation.map_or(3, |radiation| radiation.frequencies.len());
+    if common_exponents(scene, features).is_some() {
+        return text + "    add_matter(matter, 0u, bright, dim);\n}\n\n";
+    }
     if radiation.is_none() && formulas.temperature.is_some() {
         // A black body of frequency sν and temperature T is s³ times that of ν and T/s.
         let color = format!("black_body_color(f32(volume_temperature_{v}(p) / s), {:?})", volume.white);
         let _ = writeln!(text, "    let shown = s * s * s * Real3({color});");
     }
-    for k in 0..channels {
-        let nu = radiation.map_or(1.0, |radiation| radiation.frequencies[k]);
+    let mut all = Vec::new();
+    for (k, nu) in frequencies(scene, features).into_iter().enumerate() {
         let values = if let Some([emission, absorption]) = factors {
-            format!("{:?} * bright, {:?} * dim", nu.powf(emission), nu.powf(absorption))
+            [format!("{:?} * bright", nu.powf(emission)), format!("{:?} * dim", nu.powf(absorption))]
         } else {
-            let which = if radiation.is_some() { 0 } else { k.min(formulas.coefficients.len() - 1) };
+            let which = k.min(formulas.coefficients.len() - 1);
             let _ = writeln!(text, "    let c{k} = volume_matter_{which}_{v}(p, n, {nu:?} * s);");
             if is_bounded {
                 let emission = match formulas.temperature {
@@ -215,13 +197,20 @@ fn added(v: usize, volume: &Volume, scene: &Scene, features: &Features) -> Strin
                     "    see_frequency({v}u, {nu:?} * s);\n    see_matter({v}u, {which}u, Real2({emission}, c{k}.y));"
                 );
             }
-            match formulas.temperature {
-                Some(_) if radiation.is_none() => format!("rate * c{k}.y * shown[{k}], dimming * c{k}.y"),
-                Some(_) => format!("rate * c{k}.y * {}, dimming * c{k}.y", black_body(v, nu, scene)),
-                None => format!("rate * c{k}.x, dimming * c{k}.y"),
-            }
+            let emission = match formulas.temperature {
+                Some(_) if radiation.is_none() => format!("rate * c{k}.y * shown[{k}]"),
+                Some(_) => format!("rate * c{k}.y * {}", black_body(v, nu, scene)),
+                None => format!("rate * c{k}.x"),
+            };
+            [emission, format!("dimming * c{k}.y")]
         };
-        let _ = writeln!(text, "    add_matter(matter, {k}u, n, {values});");
+        let [emission, absorption] = values;
+        let _ = writeln!(text, "    add_matter(matter, {k}u, {emission}, {absorption});");
+        all.push([emission, absorption]);
+    }
+    for (k, own) in features.mean_redshifts(scene).enumerate() {
+        let [emission, absorption] = &all[own];
+        let _ = writeln!(text, "    add_matter(matter, FREQUENCIES + {k}u, {emission} / s, {absorption});");
     }
     text + "}\n\n"
 }
@@ -281,16 +270,4 @@ fn higher(flow: Flow, eulerian_falls: bool) -> &'static str {
 
 fn orbiting(sense: &str) -> String {
     format!("shift_of_orbit(spot, p.r * p.sine, {sense})")
-}
-
-/// Generates the color of a picture's intensities.
-fn shown(radiation: &Radiation) -> String {
-    let value = match radiation.show {
-        Show::Gray => "vec3f(f32(transferred.light[0]))".to_owned(),
-        Show::Heat => "heat_color(f32(transferred.light[0]))".to_owned(),
-        Show::Frequencies(all) => {
-            format!("vec3f({})", all.map(|k| format!("f32(transferred.light[{k}])")).join(", "))
-        }
-    };
-    format!("fn shown_radiation() -> vec3f {{\n    return {value} / transfer.white;\n}}\n")
 }

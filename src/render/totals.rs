@@ -143,9 +143,7 @@ pub struct Totals {
     pub wall: Duration,
     /// The result of adaptive sampling, if the scene requests it.
     pub adaptive: Option<Adaptive>,
-    /// The number of path segments on which the absorption did not reach its tolerance, or was not valid.
-    pub unfiltered: u64,
-    /// The number of path segments on which the light of volumes did not converge to its tolerance.
+    /// The number of path segments on which the light or the absorption of matter did not converge to its tolerance.
     pub unsettled: u64,
     /// The light at each frequency, in images of scenes with `[radiation]`.
     pub radiation: Vec<FrequencyTotals>,
@@ -222,8 +220,8 @@ impl Totals {
 
     /// Returns the numbers of rays in a tally, by the code of their status.
     fn ends(tally: &Row) -> impl Iterator<Item = (u32, u64)> {
-        let others = ["UNLIT", "LOST", "UNFILTERED", "OVERRUN", "UNDEFINED", "UNSETTLED"]
-            .map(|name| constant("segment/ray", name) as u32);
+        let others =
+            ["UNLIT", "LOST", "OVERRUN", "UNDEFINED", "UNSETTLED"].map(|name| constant("segment/ray", name) as u32);
         let codes = 0..constant("state/tally", "STATUSES") as u32;
         codes
             .filter(move |code| !others.contains(code))
@@ -243,7 +241,6 @@ impl Totals {
         self.segments += other.segments;
         self.unlit += other.unlit;
         self.lost += other.lost;
-        self.unfiltered += other.unfiltered;
         self.undefined += other.undefined;
         self.unsettled += other.unsettled;
         self.overrun += other.overrun;
@@ -267,7 +264,6 @@ impl Totals {
         self.rejected += tally.wide("rejected");
         self.unlit += counted(tally, "UNLIT");
         self.lost += counted(tally, "LOST");
-        self.unfiltered += counted(tally, "UNFILTERED");
         self.undefined += counted(tally, "UNDEFINED");
         self.unsettled += counted(tally, "UNSETTLED");
         self.overrun += counted(tally, "OVERRUN");
@@ -302,11 +298,8 @@ impl fmt::Display for Totals {
         if self.undefined > 0 {
             write!(f, "; matter not defined on {} rays", self.undefined)?;
         }
-        if self.unfiltered > 0 {
-            write!(f, "; absorption not converged on {} path segments", self.unfiltered)?;
-        }
         if self.unsettled > 0 {
-            write!(f, "; light of volumes not converged on {} path segments", self.unsettled)?;
+            write!(f, "; light in matter not converged on {} path segments", self.unsettled)?;
         }
         if self.overrun > 0 {
             write!(f, "; {} segments need more loop iterations than this device runs in one pass", self.overrun)?;

@@ -17,6 +17,8 @@ pub(super) struct Values<'r> {
     crossings: Vec<Crossings>,
     /// The intensity 1, in the units of layers.
     intensity: f64,
+    /// The frequencies with a mean redshift, each with its place among the intensities.
+    mean_redshifts: Vec<(usize, usize)>,
     size: [u32; 2],
     margin: u32,
 }
@@ -30,7 +32,9 @@ impl Renderer<'_> {
         let crossings = if features.keeps_crossings { crossings(&pixels, &self.prepared.scene) } else { Vec::new() };
         let (size, margin, intensity) =
             (tile.size, features.margin(), self.prepared.scene.intensity_unit().unwrap_or(1.0));
-        Ok(Values { pixels, moments: Moments::of(&moments), crossings, intensity, size, margin })
+        let mean_redshifts =
+            features.mean_redshifts(&self.prepared.scene).zip(self.prepared.scene.frequencies()..).collect();
+        Ok(Values { pixels, moments: Moments::of(&moments), crossings, intensity, mean_redshifts, size, margin })
     }
 }
 
@@ -111,6 +115,16 @@ impl Values<'_> {
                 let sums = self.pixels.column(if is_light { "intensity" } else { "optical_depth" })?;
                 let weight = if is_light { self.intensity as f32 } else { 1.0 } / samples as f32;
                 Some(Box::new(move |pixel, _| (f32::from_bits(sums(pixel, usize::from(k))) * weight).to_bits()))
+            }
+            (Layer::MeanRedshift(k), _) => {
+                let sums = self.pixels.column("intensity")?;
+                let (own, place) = *self.mean_redshifts.iter().find(|(own, _)| *own == usize::from(k))?;
+                let light = move |pixel, place| f32::from_bits(sums(pixel, place));
+                let mean = move |pixel, _| match light(pixel, own) {
+                    0.0 => 0.0,
+                    all => light(pixel, place) / all,
+                };
+                Some(Box::new(move |pixel, k| mean(pixel, k).to_bits()))
             }
             (layer, _) if layer.is_of_crossings() => Some(Box::new(move |pixel, k| {
                 let crossing = self.crossings.get(pixel).and_then(|crossings| crossings[k]);

@@ -68,14 +68,15 @@ impl Scene {
         LightGrid { voxels, refine: 6, paths: paths as u32 }
     }
 
-    /// Returns the scene in which beams are traced, without emitters and paths, and without absorption, because the directions of light do
-    /// not depend on it.
+    /// Returns the scene in which beams are traced, without emitters and paths, and without matter that absorbs, because the directions
+    /// of light do not depend on it.
     #[must_use]
     pub fn of_beams(&self) -> Self {
         let mut scene = self.clone();
         scene.rays.path_tracing = None;
         scene.rays.max_segments = scene.rays.max_segments.min(SEGMENTS);
         scene.absorption = None;
+        scene.volumes.clear();
         for object in &mut scene.objects {
             if let Substance::TransparentShadows(interior) = &mut object.substance {
                 interior.absorption = None;

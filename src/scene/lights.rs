@@ -171,6 +171,7 @@ impl Scene {
     /// Returns `true` if something attenuates straight light.
     #[must_use]
     pub fn weakens_lines(&self) -> bool {
-        (self.splits() || self.absorption.is_some()) && self.lines().any(|clear| clear == TransparentShadows::Filtered)
+        (self.splits() || self.absorption.is_some() || !self.volumes.is_empty())
+            && self.lines().any(|clear| clear == TransparentShadows::Filtered)
     }
 }

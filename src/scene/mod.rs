@@ -204,9 +204,12 @@ impl Scene {
         has_own && !facts.momentum_parts.is_empty()
     }
 
-    /// Returns the distance from the law's center within which there are volumes; `None` if they are everywhere.
+    /// Returns the distance from the law's center within which there is matter; `None` if it is everywhere.
     #[must_use]
-    pub fn volumes_reach(&self) -> Option<f64> {
+    pub fn matter_reach(&self) -> Option<f64> {
+        if self.absorption.is_some() {
+            return None;
+        }
         let center = self.law.equator().map_or(DVec3::ZERO, |[center, _]| center);
         let reach = |volume: &Volume| {
             let [lo, hi] = volume.bounds()?;
@@ -241,10 +244,10 @@ impl Scene {
         self.objects.iter().filter_map(|object| object.interior()?.absorption.as_deref()).chain(&self.absorption)
     }
 
-    /// Returns `true` if arcs between the ends of a path are needed, for hits, for absorption, or for diagrams.
+    /// Returns `true` if arcs between the ends of a path are needed, for hits or for diagrams.
     #[must_use]
     pub fn needs_arcs(&self) -> bool {
-        !self.objects.is_empty() || self.absorption.is_some() || !self.rays.leaps
+        !self.objects.is_empty() || !self.rays.leaps
     }
 
     /// Returns the capture regions, which end rays that move inwards. They extend as far as `clearance`, the distance from a position to
@@ -252,7 +255,9 @@ impl Scene {
     #[must_use]
     pub fn captures(&self, clearance: Option<&dyn Fn(DVec3) -> f64>) -> Vec<Capture> {
         let interiors = self.objects.iter().filter_map(|object| object.interior()?.medium.facts().capture);
-        let law = match self.horizon().filter(|_| !self.volumes.is_empty()) {
+        let shines =
+            !self.volumes.is_empty() || self.absorption.as_ref().is_some_and(|own| own.emission != DVec3::ZERO);
+        let law = match self.horizon().filter(|_| shines) {
             // Matter shines down to the horizon.
             Some(horizon) => {
                 let is_double = self.rays.precision == Precision::Double;

@@ -31,7 +31,7 @@ fn generated(k: usize, formula: &str) -> String {
     let scene = scene(&text);
     let analysis = Analysis::of(&scene);
     let parts = plan(&scene, &analysis, &Features::of(&scene, &ProgramOptions::default(), &analysis)).unwrap();
-    let unit = parts.shared.into_iter().find(|unit| unit.file == "generated/volumes.wgsl").unwrap();
+    let unit = parts.shared.into_iter().find(|unit| unit.file == "generated/matter.wgsl").unwrap();
     let function = |name: &str| {
         let from = &unit.text[unit.text.find(&format!("fn {name}_0(")).unwrap()..];
         from[..from.find("\n}").unwrap() + 3].replace(&format!("{name}_0("), &format!("{name}_{k}("))

@@ -11,9 +11,6 @@ fn scatter_ray(ray: Ray, met: ptr<function, Hit>, pixel: vec2u) -> Ray {
     let surface = met_surface(met, end.x);
     // A ray that ends here stays on the side that it came from.
     let side = region_bits();
-    if SEES_GLOW {
-        note_glow();
-    }
     if COUNTS_TRANSFER {
         note_glow();
     }
@@ -21,9 +18,6 @@ fn scatter_ray(ray: Ray, met: ptr<function, Hit>, pixel: vec2u) -> Ray {
     var next = ray;
     if !scattered.continues {
         return next;
-    }
-    if ABSORBS {
-        absorption_left(ray, end, side);
     }
     if TRANSFERS {
         transfer_left(pixel, ray, end, side);

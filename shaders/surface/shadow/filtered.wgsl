@@ -1,5 +1,5 @@
 // Shadow rays as in surface/shadow/straight.wgsl, in color: with tinted shadows, light is attenuated by the transparent objects on its
-// straight path, and by absorption in media.
+// straight path, and by the matter on it.
 
 alias Share = vec3f;
 
@@ -20,9 +20,9 @@ fn light_share(shadows: u32, faces: bool, start: Real3, way: Real3) -> Share {
         var hit = first_met(s, 1u);
         there = hit.primitive == NOTHING;
         let part = select(hit.t, Real(1.0), there) * rest;
-        if ABSORBS {
+        if TRANSFERS {
             if shadows == WEAKENED {
-                share *= filtered_share(at, part);
+                share *= line_share(at, part);
             }
         }
         at += part;

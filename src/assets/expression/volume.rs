@@ -201,6 +201,13 @@ impl VolumeFormulas {
         self.graph.reached(roots).into_iter().any(|id| is_wanted(self.graph.node(id)))
     }
 
+    /// Returns `true` if nothing emits light.
+    #[must_use]
+    pub fn is_dark(&self) -> bool {
+        let is_none = |id: Id| self.graph.number(id) == Some(0.0);
+        self.temperature.is_none() && self.coefficients.iter().all(|channel| is_none(channel.emission))
+    }
+
     /// Returns `true` if nothing absorbs light.
     #[must_use]
     pub fn is_clear(&self) -> bool {

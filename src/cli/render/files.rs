@@ -130,7 +130,7 @@ impl Arguments {
             Layer::ImageOrder => scene.has_orders(),
             layer if layer.is_of_crossings() || layer.is_of_paths() && self.from.is_some() => false,
             Layer::Intensity(_) => layer.refused_by(scene).is_none(),
-            Layer::OpticalDepth(_) => false,
+            Layer::OpticalDepth(_) | Layer::MeanRedshift(_) => false,
             Layer::Samples => scene.image.adaptive.is_some(),
             Layer::StandardError => scene.rays.path_tracing.is_some(),
             Layer::Accumulated | Layer::LuminanceM2 => is_continuable(scene),

@@ -131,9 +131,8 @@ fn counts(made: &Made) -> Value {
         "terminations": ends.map(|status| (status.name(), totals.count(status))).collect::<Value>(),
         "unresolved_rays": made.unfollowed(),
         "unlit_points": totals.unlit,
-        "absorption_unconverged": totals.unfiltered,
         "undefined_matter": totals.undefined,
-        "volumes_unconverged": totals.unsettled,
+        "matter_unconverged": totals.unsettled,
         "radiation": frequency_reports(made.scene, &totals.radiation),
         "overrun_segments": totals.overrun,
     })

@@ -3,7 +3,7 @@
 //! *Theory.* Over a length d the transmittance is e^(−σd), where σ is the absorption coefficient. A transmittance c per unit length means σ
 //! = −ln c. The coefficient may vary over space by formulas or by a noise texture, and a medium may also emit light.
 //!
-//! *Practice.* A [`Absorption`] belongs to an interior or to the whole space of the law. Each kind of density has a function in
+//! *Practice.* An [`Absorption`] belongs to an interior or to the whole space of the law. Each kind of density has a function in
 //! `shaders/absorption/density.wgsl`.
 
 mod read;
@@ -24,7 +24,7 @@ pub struct Absorption {
     pub density: Density,
     /// The emitted radiance per unit length.
     pub emission: DVec3,
-    /// The largest difference between the optical depth of a path segment and the sum over its halves.
+    /// The largest error of the optical depth of a piece of a path, and the largest relative error of its light.
     pub tolerance: f64,
     /// The origin of formulas and textures.
     pub center: DVec3,

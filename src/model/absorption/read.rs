@@ -31,8 +31,7 @@ pub(crate) fn reference() -> Vec<KeyReference> {
             emission: "[red, green, blue]" = "[0, 0, 0]", "radiance that the medium adds, per unit length";
             center: "[x, y, z]" = "the object's, or [0, 0, 0]", "origin of x, y, z and r; scene units";
             tolerance: "number above 0 and below 1" = "0.001",
-                "tolerance for the difference between the optical depth of a piece of a path and the sum over its \
-                 halves; pieces above it are divided";
+                "tolerance for the error of the optical depth, or of the light, of a piece of a path; pieces above it are divided";
         }
     }
 }

@@ -57,6 +57,7 @@ fn bands(width: u32, heights: &[u32]) -> Vec<Band> {
             .into_iter()
             .chain((0..8).map(|k| (Layer::Intensity(k), Plane::Scalar(plane(43 + u32::from(k))))))
             .chain((0..8).map(|k| (Layer::OpticalDepth(k), Plane::Scalar(plane(51 + u32::from(k))))))
+            .chain((0..8).map(|k| (Layer::MeanRedshift(k), Plane::Scalar(plane(59 + u32::from(k))))))
             .collect(),
         });
         first_row += rows;

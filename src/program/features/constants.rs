@@ -14,7 +14,7 @@ impl Features {
     #[must_use]
     pub fn constants(&self) -> Vec<(String, bool)> {
         let plain = named!(self;
-            splits has_rough_glass has_regions has_sided_mesh has_objects touches absorbs absorption_jumps sees_glow
+            splits has_rough_glass has_regions has_sided_mesh has_objects touches sees_glow
             follows_paths in_pieces aims emits_from_boxes clamps draws_wavelength falls grids_fall grids_all_fall
             is_occluded occludes_along_law looks_from_surfaces follows_lines all_cast shuts_out weakens_lines
             is_limited compensates_tau keeps_taken keeps_w keeps_last_hit has_leaps suspends items_in_order has_chords writes_chords_out ends_with_steps rejects keeps_errors captures_by_formula has_structure is_glossy captures is_extreme is_asymptotic is_plane is_about_center keeps_last carries_time by_length turns_with_camera travels has_throat joins_whole
@@ -22,7 +22,7 @@ impl Features {
             beams shifts_hues knows_shift follows_shift keeps_orders keeps_crossings
         );
         let volumes = named!(self.volumes;
-            transfers transfers_orbits is_spectral counts_transfer keeps_depth absorbs_volumes bounds_matter has_edges has_grids shifts_volumes has_horizon volumes_change places_by_law is_parallel
+            transfers transfers_orbits has_volumes media_absorb has_jumps emits absorbs is_spectral counts_transfer keeps_depth bounds_matter has_edges has_grids shifts_volumes has_horizon volumes_change places_by_law is_parallel
         );
         let derived = [
             ("leaves_surfaces", self.looks_from_surfaces || self.shoots || self.follows_paths),

@@ -8,12 +8,10 @@ mod volumes;
 
 pub use volumes::VolumeFeatures;
 
-use glam::DVec3;
-
 use super::regions::{RegionKind, Regions};
 use super::{Analysis, DeviceProfile, Layer, Mode, PathEnds, ProgramOptions, RaySkipping, Schedule};
 use crate::model::method::Path;
-use crate::model::{Absorption, Capture, StereoLayout};
+use crate::model::{Capture, StereoLayout};
 use crate::scene::{Animation, Light, Precision, Scene, Segment, Shadows, Sky, Splitting, Tonemap};
 
 /// All properties of a scene and its output that determine the modules of its program and the passes that run it.
@@ -55,14 +53,10 @@ pub struct Features {
     pub touches: bool,
     /// The refractive index of some medium depends on the wavelength.
     pub disperses: bool,
-    /// Media absorb light along rays.
-    pub absorbs: bool,
-    /// Some medium absorbs light by a texture with jumps.
-    pub absorption_jumps: bool,
-    /// Some medium emits light into rays.
+    /// Matter emits light in color into rays.
     pub sees_glow: bool,
 
-    /// The light of volumes.
+    /// The light of matter along rays.
     pub volumes: VolumeFeatures,
 
     /// The image is path-traced.
@@ -204,7 +198,6 @@ pub struct Features {
 impl Features {
     /// Determines the features of `scene`, rendered with `options`.
     #[must_use]
-    #[expect(clippy::too_many_lines, reason = "a list")]
     pub fn of(scene: &Scene, options: &ProgramOptions, Analysis { regions, structure }: &Analysis) -> Self {
         let ProgramOptions { mode, masks, layers, device, ends, .. } = options.clone();
         let is_picture = mode == Mode::Picture;
@@ -245,11 +238,7 @@ impl Features {
             has_regions: !regions.regions.is_empty(),
             touches: regions.touching.count() > 0,
             disperses: scene.disperses(),
-            absorbs: (is_picture || mode.leaves_light()) && scene.absorptions().next().is_some(),
-            absorption_jumps: scene.absorptions().any(Absorption::jumps),
-            sees_glow: is_picture
-                && (scene.absorptions().any(|filter| filter.emission != DVec3::ZERO)
-                    || volumes.transfers && !volumes.is_spectral),
+            sees_glow: is_picture && volumes.emits && !volumes.is_spectral,
             volumes,
 
             follows_paths,
@@ -318,6 +307,16 @@ impl Features {
     #[must_use]
     pub fn is_picture(&self) -> bool {
         self.mode == Mode::Picture
+    }
+
+    /// Returns the frequencies whose light has its mean redshift stored, by their index.
+    pub fn mean_redshifts(&self, scene: &Scene) -> impl Iterator<Item = usize> {
+        let frequencies = if self.volumes.is_spectral { scene.frequencies() } else { 0 };
+        let own = move |layer: &Layer| match layer {
+            Layer::MeanRedshift(k) => Some(usize::from(*k)).filter(|k| *k < frequencies),
+            _ => None,
+        };
+        self.layers.iter().filter_map(own)
     }
 
     /// Returns `true` if stored ends of paths are shaded, and no path is followed.

@@ -1,28 +1,38 @@
-//! The features of light that volumes emit and absorb along rays.
+//! The features of light that matter emits and absorbs along rays, in volumes and in media.
 
-use crate::model::Camera;
+use glam::DVec3;
+
+use crate::model::{Absorption, Camera};
 use crate::program::{Layer, Mode, ProgramOptions};
 use crate::scene::Scene;
 
-/// The properties of a scene's volumes, and of the light of their frequencies.
+/// The properties of matter along rays, and of the light of its frequencies.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[expect(clippy::struct_excessive_bools, reason = "each is a separate question")]
 pub struct VolumeFeatures {
-    /// Volumes emit and absorb light along rays.
+    /// Matter emits and absorbs light along rays.
     pub transfers: bool,
-    /// The motion adds the light of volumes along its own steps.
+    /// The motion adds the light of matter along its own steps.
     pub transfers_orbits: bool,
+    /// Some matter is in volumes.
+    pub has_volumes: bool,
+    /// Some matter fills media.
+    pub media_absorb: bool,
+    /// Some medium absorbs light by a texture with jumps.
+    pub has_jumps: bool,
+    /// Some matter emits light into rays from the camera.
+    pub emits: bool,
+    /// Some matter absorbs light.
+    pub absorbs: bool,
     /// Light has frequencies instead of colors.
     pub is_spectral: bool,
     /// The light of a step of a path counts once among the branches of a ray, and is scaled by its throughput.
     pub counts_transfer: bool,
     /// Optical depths are needed beyond the matter that is seen.
     pub keeps_depth: bool,
-    /// Some volume absorbs light.
-    pub absorbs_volumes: bool,
     /// Pieces of paths are tested for matter that is too thin to meet their points.
     pub bounds_matter: bool,
-    /// Matter may end at an edge between the points of a piece.
+    /// Matter may have an edge or a kink between the end of a piece and the next of its points.
     pub has_edges: bool,
     /// Formulas use samples on grids.
     pub has_grids: bool,
@@ -44,25 +54,40 @@ impl VolumeFeatures {
         let mode = options.mode;
         let (is_picture, facts) = (mode == Mode::Picture, scene.law.facts());
         let is_spectral = scene.radiation.is_some() && (is_picture || matches!(mode, Mode::Trace | Mode::Pixels));
-        let transfers = !scene.volumes.is_empty() && (is_picture || is_spectral);
+        let has_absorption = scene.absorptions().next().is_some();
+        let absorbs = has_absorption || scene.volumes.iter().any(|volume| !volume.formulas.is_clear());
+        let is_seen = (absorbs || !scene.volumes.is_empty()) && (is_picture || is_spectral);
+        let transfers = is_seen || absorbs && mode.leaves_light();
+        let has_volumes = transfers && !scene.volumes.is_empty();
+        let media_absorb = transfers && has_absorption;
+        let glows = scene.volumes.iter().any(|volume| !volume.formulas.is_dark())
+            || scene.absorptions().any(|own| own.emission != DVec3::ZERO);
+        let emits = transfers && glows && !mode.leaves_light();
         let has_interiors = scene.objects.iter().any(|object| object.interior().is_some());
-        let shifts_volumes = transfers && !has_interiors && scene.has_frequencies_of(mode.is_given());
+        let shifts_volumes =
+            has_volumes && !has_interiors && !mode.leaves_light() && scene.has_frequencies_of(mode.is_given());
         let has_lapse = facts.line_element().is_some_and(|element| element.lapse().is_some());
         let has_depths = mode.is_given() || options.layers.iter().any(|layer| matches!(layer, Layer::OpticalDepth(_)));
         Self {
             transfers,
             transfers_orbits: transfers && ends_with_steps,
             is_spectral: is_spectral && transfers,
-            counts_transfer: transfers && (!is_spectral || scene.scatters()),
+            has_volumes,
+            media_absorb,
+            has_jumps: media_absorb && scene.absorptions().any(Absorption::jumps),
+            emits,
+            absorbs: transfers && absorbs,
+            counts_transfer: transfers && if is_spectral { scene.scatters() } else { emits },
             keeps_depth: is_spectral && has_depths,
-            absorbs_volumes: scene.volumes.iter().any(|volume| !volume.formulas.is_clear()),
             bounds_matter: scene.volumes.iter().any(|volume| volume.formulas.varies()),
-            has_edges: transfers && scene.volumes.iter().any(|volume| volume.formulas.has_edges()),
+            has_edges: has_volumes && scene.volumes.iter().any(|volume| volume.formulas.has_edges())
+                || media_absorb && scene.absorptions().any(|own| own.texture().is_some()),
             has_grids: scene.volumes.iter().any(|volume| !volume.grids.is_empty()),
             shifts_volumes,
             has_horizon: shifts_volumes && (scene.horizon().is_some() || has_lapse),
-            volumes_change: facts.changes_with_time || scene.volumes.iter().any(|volume| volume.formulas.changes()),
-            places_by_law: scene.places_volumes_by_law(),
+            volumes_change: has_volumes
+                && (facts.changes_with_time || scene.volumes.iter().any(|volume| volume.formulas.changes())),
+            places_by_law: has_volumes && scene.places_volumes_by_law(),
             is_parallel: transfers && scene.camera.as_ref().is_some_and(Camera::is_parallel),
         }
     }

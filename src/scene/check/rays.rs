@@ -62,6 +62,10 @@ pub fn read(table: TableReader, bound: Option<Bound>, optics: &Optics) -> Option
     let precision = precision.unwrap_or(Precision::Single);
     let max_segments = table.or("max_segments", 1000, whole(1..=1_000_000));
     let closed_forms = table.or("closed_forms", named.is_none_or(|named| named.kind.closed_forms), boolean);
+    if !closed_forms && optics.bends() && named.is_none_or(|named| named.kind.path == method::Path::Closed) {
+        let help = "add method = \"dormand-prince\" and a tolerance, or remove closed_forms";
+        table.fault(&["closed_forms"], "closed_forms = false requires a method that integrates paths", help);
+    }
     let asymptotic = table.or("sky_at_infinity", false, boolean);
     if let (true, Some(law), Some(bound)) = (asymptotic, optics.law, bound) {
         check_asymptotic(&table, law, bound);
