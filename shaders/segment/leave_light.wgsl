@@ -52,6 +52,10 @@ fn weight_decline() -> f32 {
     if !TRANSFERS {
         return 0.0;
     }
+    // Nothing passes matter that is not defined.
+    if transfer_invalid {
+        return -1e3;
+    }
     return log2(max(light_weight(), 1e-30) / max(weight_before, 1e-30));
 }
 

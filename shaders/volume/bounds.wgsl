@@ -1,5 +1,5 @@
-// The light that a piece of a path may hide, of matter too thin to meet its points. The values at the points give the ranges of the smooth
-// functions in the formulas of emission and absorption, and these ranges bound both.
+// The light that a piece may hide, of matter too thin to meet its points. The values at the points and at the ends give the ranges of the
+// smooth functions in the formulas of emission and absorption, and these ranges bound both.
 
 struct MatterSeen {
     // The number of points.
@@ -23,7 +23,7 @@ const HIDDEN_FACTOR: Real = 16.0;
 // Hidden matter counts above this part of the step's largest, and above the least number.
 const HIDDEN_PART: Real = 1e-8;
 const HIDDEN_LEAST: Real = 1e-30;
-// Ranges extend beyond the outermost points by this part.
+// Ranges extend beyond the values by this part.
 const SEEN_MARGIN: Real = 0.15;
 
 fn begin_bounds() {
@@ -33,6 +33,13 @@ fn begin_bounds() {
 // Begins with no points.
 fn begin_seen() {
     seen = array<MatterSeen, VOLUMES>();
+}
+
+// Begins with the points of the sums: the largest matter is theirs.
+fn begin_points() {
+    for (var v = 0u; v < VOLUMES; v++) {
+        seen[v].most = array<Real2, COEFFICIENTS>();
+    }
 }
 
 fn see_value(v: u32, i: u32, value: Real) {

@@ -112,13 +112,19 @@ fn transfer_piece(step: Stretch, within: u32, start: Real, size: Real) -> Transf
     let h = 0.5 * size;
     var ends: array<Matter, 2>;
     var by_points: array<Matter, 2>;
+    if BOUNDS_MATTER {
+        begin_seen();
+    }
     if HAS_EDGES {
         ends[0] = matter_at(step, within, start);
         ends[1] = matter_at(step, within, start + size);
+    } else if BOUNDS_MATTER {
+        see_end(step, within, start);
+        see_end(step, within, start + size);
     }
     // The ends do not count as points at which matter is seen, because the sums do not contain them.
     if BOUNDS_MATTER {
-        begin_seen();
+        begin_points();
     }
     var half = 0u;
     loop {

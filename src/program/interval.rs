@@ -1,8 +1,8 @@
 //! Generation of WGSL for the bounds of formulas along a piece of a path.
 //!
-//! *Theory.* A smooth function, a polynomial of the coordinates, cannot leave the range of its values at several points of a short path by
-//! much. All others follow from it by interval arithmetic (Moore 1966): where a Gaussian or a step is thinner than the distance of the points,
-//! the range of its argument shows it.
+//! *Theory.* A linear function of the coordinates cannot leave the range of its values at the ends and at several points of a path by much.
+//! All others follow from it by interval arithmetic (Moore 1966): where a Gaussian or a step is thinner than the distance of the points,
+//! the range of its argument shows it. Squares count among the others, because their extremes may be between distant points.
 
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
@@ -38,35 +38,20 @@ impl<'a> Bounds<'a> {
         all
     }
 
-    /// Returns `true` for polynomials of the coordinates.
+    /// Returns `true` for linear functions of the coordinates.
     fn is_smooth(&self, id: Id) -> bool {
         let is_smooth = |part: &Id| self.smooth[part.index()];
         match self.graph.node(id) {
             Node::Number(_) => true,
             Node::Variable(variable) => self.others.iter().all(|(other, _)| *other != variable),
-            Node::Sum(..) | Node::Difference(..) | Node::Product(..) | Node::Negative(_) => {
-                self.graph.parts(id).iter().all(is_smooth)
+            Node::Sum(..) | Node::Difference(..) | Node::Negative(_) => self.graph.parts(id).iter().all(is_smooth),
+            Node::Product(a, b) => {
+                let is_number = [a, b].iter().any(|part| self.graph.number(*part).is_some());
+                is_number && is_smooth(&a) && is_smooth(&b)
             }
-            Node::Power(a, k) => k > 0 && is_smooth(&a),
+            Node::Power(a, 1) => is_smooth(&a),
             Node::Quotient(a, b) => is_smooth(&a) && self.graph.number(b).is_some(),
             _ => false,
-        }
-    }
-
-    /// Returns the sign of a sum of squares, or of its negative.
-    fn sign(&self, id: Id) -> Option<f64> {
-        let both = |a: Id, b: Id, combine: fn(f64, f64) -> f64| Some(combine(self.sign(a)?, self.sign(b)?));
-        let is_same = |sum: f64| (sum.abs() > 1.0).then_some(0.5 * sum);
-        match self.graph.node(id) {
-            Node::Number(bits) => Some(1.0_f64.copysign(f64::from_bits(bits))),
-            Node::Power(_, k) if k % 2 == 0 => Some(1.0),
-            Node::Product(a, b) if a == b => Some(1.0),
-            Node::Power(a, _) => self.sign(a),
-            Node::Product(a, b) | Node::Quotient(a, b) => both(a, b, |a, b| a * b),
-            Node::Negative(a) => Some(-self.sign(a)?),
-            Node::Sum(a, b) => both(a, b, |a, b| a + b).and_then(is_same),
-            Node::Difference(a, b) => both(a, b, |a, b| a - b).and_then(is_same),
-            _ => None,
         }
     }
 
@@ -91,11 +76,7 @@ impl<'a> Bounds<'a> {
 
     fn interval(&self, id: Id) -> String {
         if let Some(k) = self.leaves.get(&id) {
-            return match self.sign(id) {
-                Some(sign) if sign > 0.0 => format!("max(ranges[{k}], Real2(0.0))"),
-                Some(_) => format!("min(ranges[{k}], Real2(0.0))"),
-                None => format!("ranges[{k}]"),
-            };
+            return format!("ranges[{k}]");
         }
         let call = |function: &str, parts: &[Id]| {
             let parts: Vec<_> = parts.iter().copied().map(name).collect();

@@ -64,6 +64,20 @@ pub(super) fn hides(volumes: &[Volume], channels: usize) -> String {
     functions + &text + "    return hides;\n}\n\n"
 }
 
+/// Generates the record of the values at an end of a piece.
+pub(super) fn seen_ends(volumes: &[Volume]) -> String {
+    let mut text =
+        "fn see_end(step: Stretch, within: u32, f: Real) {\n    let spot = stretch_spot(step, f);\n".to_owned();
+    for (v, _) in volumes.iter().enumerate().filter(|(_, volume)| volume.formulas.varies()) {
+        let _ = writeln!(
+            text,
+            "    if (within & {}u) != 0u {{\n        see_volume_{v}(volume_place_{v}(spot));\n    }}",
+            1_u32 << v
+        );
+    }
+    text + "}\n\n"
+}
+
 /// Returns the upper end of a range; naga does not evaluate components of constant vectors.
 fn most(formulas: &VolumeFormulas, id: Id, range: &str) -> String {
     formulas.graph().number(id).map_or_else(|| format!("{range}.y"), |number| format!("Real({number:?})"))

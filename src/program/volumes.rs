@@ -5,7 +5,7 @@ use std::fmt::Write as _;
 use super::Features;
 use super::formula::body;
 use super::generated::switch;
-use super::matter_bounds::{bounds, hides, recorded};
+use super::matter_bounds::{bounds, hides, recorded, seen_ends};
 use super::names::Names;
 use crate::assets::{Id, VolumeFormulas};
 use crate::model::law::Observer;
@@ -48,6 +48,7 @@ pub(super) fn volumes(scene: &Scene, features: &Features) -> String {
     }
     if features.volumes.bounds_matter {
         text += &hides(all, frequencies(scene, features).len());
+        text += &seen_ends(all);
     }
     if features.volumes.has_grids {
         text += &cells(all);
