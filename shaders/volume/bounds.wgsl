@@ -35,9 +35,18 @@ fn begin_seen() {
     seen = array<MatterSeen, VOLUMES>();
 }
 
-// Begins with the points of the sums: the largest matter is theirs.
+// The start and the end of the current piece.
+var<private> seen_before: array<MatterSeen, VOLUMES>;
+var<private> seen_behind: array<MatterSeen, VOLUMES>;
+
+// Adds the start of the piece to its end, and begins with the points of the sums: the largest matter is theirs.
 fn begin_points() {
     for (var v = 0u; v < VOLUMES; v++) {
+        if seen_before[v].points > 0u {
+            for (var i = 0u; i < SMOOTH_FUNCTIONS; i++) {
+                see_value(v, i, seen_before[v].low[i]);
+            }
+        }
         seen[v].most = array<Real2, COEFFICIENTS>();
     }
 }

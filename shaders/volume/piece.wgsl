@@ -61,11 +61,11 @@ const END_BY_POINTS: Real3 = Real3(1.478830557701236, -0.6666666666666667, 0.187
 
 // Returns the errors of a piece by edges and kinks of matter between its ends and the points next to them: by the difference between the
 // matter at each end and that of the parabola through the points of its half, `by_points`.
-fn edge_error(k: u32, added: Light, size: Real, ends: array<Matter, 2>, by_points: array<Matter, 2>) -> Real2 {
+fn edge_error(k: u32, added: Light, size: Real, by_points: array<Matter, 2>) -> Real2 {
     let depth = transferred.depth[k];
     let m = channel_matter(k);
-    let first = transfer_exp(depth) * edge_of(ends[0], by_points[0], m);
-    let last = transfer_exp(depth + added.depth[k]) * edge_of(ends[1], by_points[1], m);
+    let first = transfer_exp(depth) * edge_of(matter_before, by_points[0], m);
+    let last = transfer_exp(depth + added.depth[k]) * edge_of(matter_behind, by_points[1], m);
     return BEYOND_POINTS * size * (first + last) * Real2(channel_emission(k), channel_absorption(k));
 }
 
@@ -95,6 +95,39 @@ fn half_of(j: Real3, dims: Real3) -> HalfPiece {
     return HalfPiece(j, depth, at, near, far, rough);
 }
 
+// The matter at the start of a piece and at its end, at which the next piece starts.
+var<private> matter_before: Matter;
+var<private> matter_behind: Matter;
+
+// Begins with the pieces of a part of a step.
+fn begin_pieces(step: Stretch, within: u32, start: Real) {
+    if BOUNDS_MATTER {
+        begin_seen();
+    }
+    see_piece_end(step, within, start);
+    start_next_piece();
+}
+
+fn start_next_piece() {
+    if HAS_EDGES {
+        matter_before = matter_behind;
+    }
+    if BOUNDS_MATTER {
+        seen_before = seen_behind;
+    }
+}
+
+fn see_piece_end(step: Stretch, within: u32, end: Real) {
+    if HAS_EDGES {
+        matter_behind = matter_at(step, within, end);
+    } else if BOUNDS_MATTER {
+        see_end(step, within, end);
+    }
+    if BOUNDS_MATTER {
+        seen_behind = seen;
+    }
+}
+
 // Returns a piece of a step between two fractions of it. `within` marks the volumes that contain it.
 fn transfer_piece(step: Stretch, within: u32, start: Real, size: Real) -> TransferPiece {
     var piece: TransferPiece;
@@ -110,18 +143,11 @@ fn transfer_piece(step: Stretch, within: u32, start: Real, size: Real) -> Transf
         }
     }
     let h = 0.5 * size;
-    var ends: array<Matter, 2>;
     var by_points: array<Matter, 2>;
     if BOUNDS_MATTER {
         begin_seen();
     }
-    if HAS_EDGES {
-        ends[0] = matter_at(step, within, start);
-        ends[1] = matter_at(step, within, start + size);
-    } else if BOUNDS_MATTER {
-        see_end(step, within, start);
-        see_end(step, within, start + size);
-    }
+    see_piece_end(step, within, start + size);
     // The ends do not count as points at which matter is seen, because the sums do not contain them.
     if BOUNDS_MATTER {
         begin_points();
@@ -188,7 +214,7 @@ fn transfer_piece(step: Stretch, within: u32, start: Real, size: Real) -> Transf
             piece.errors[k].y = depth_weight(k) * channel_absorption(k) * null_error(depth_nulls[channel_matter(k)]);
         }
         if HAS_EDGES {
-            piece.errors[k] += edge_error(k, piece.added, size, ends, by_points);
+            piece.errors[k] += edge_error(k, piece.added, size, by_points);
         }
         let relative = piece.errors[k] / light_that_counts(k, piece.added);
         piece.error = max(piece.error, max(relative.x, relative.y));

@@ -177,6 +177,7 @@ fn transfer_part(step: Stretch, within: u32, start: Real, end: Real, sizes: Real
     var a = start;
     var size = min(end - start, sizes.y);
     var pieces = 0u;
+    begin_pieces(step, within, start);
     loop {
         let is_last = size > 0.9999 * (end - a) || is_spent();
         let own = select(size, end - a, is_last);
@@ -190,6 +191,7 @@ fn transfer_part(step: Stretch, within: u32, start: Real, end: Real, sizes: Real
         let is_final = agrees || own <= sizes.x || is_tired;
         if is_final {
             add_piece(piece);
+            start_next_piece();
             if !agrees || pieces > MANY_PIECES {
                 doubt_piece(piece, is_tired && !agrees);
             }

@@ -38,7 +38,7 @@ impl<'a> Bounds<'a> {
         all
     }
 
-    /// Returns `true` for linear functions of the coordinates.
+    /// Returns `true` for linear functions of coordinates and of their products.
     fn is_smooth(&self, id: Id) -> bool {
         let is_smooth = |part: &Id| self.smooth[part.index()];
         match self.graph.node(id) {
@@ -47,7 +47,10 @@ impl<'a> Bounds<'a> {
             Node::Sum(..) | Node::Difference(..) | Node::Negative(_) => self.graph.parts(id).iter().all(is_smooth),
             Node::Product(a, b) => {
                 let is_number = [a, b].iter().any(|part| self.graph.number(*part).is_some());
-                is_number && is_smooth(&a) && is_smooth(&b)
+                let is_variable = |part: Id| matches!(self.graph.node(part), Node::Variable(_));
+                // r sin θ and r cos θ are coordinates too.
+                let is_coordinate = a != b && is_variable(a) && is_variable(b);
+                (is_number || is_coordinate) && is_smooth(&a) && is_smooth(&b)
             }
             Node::Power(a, 1) => is_smooth(&a),
             Node::Quotient(a, b) => is_smooth(&a) && self.graph.number(b).is_some(),
