@@ -67,11 +67,11 @@ fn leave_light(s: Segment, until: Real) {
     let lo = Real3(light_volume.lo);
     let off = length(segment_bulge(s)) / (CHORD_OFF * Real(light_size()));
     let chords = u32(clamp(ceil(sqrt(f32(min(off, 1e8)))), 1.0, MOST_CHORDS));
+    let decline = weight_decline() / f32(chords);
     var a = vec3f((s.x0 - lo) / Real(light_volume.h));
     for (var k = 1u; k <= chords; k++) {
         let b = vec3f((segment_point(s, until * Real(k) / Real(chords)) - lo) / Real(light_volume.h));
-        let passed = weight_decline() / f32(chords);
-        leave_chord(a, b, weight_before * exp2(f32(k - 1u) * passed), passed);
+        leave_chord(a, b, weight_before * exp2(f32(k - 1u) * decline), decline);
         a = b;
     }
 }

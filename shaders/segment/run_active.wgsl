@@ -64,11 +64,16 @@ fn follow_segments(spot: ActiveRay, ray: ptr<function, Ray>, end: ptr<function, 
                 transfer_passed(*ray, next, until);
             }
             leave_light(segment, until);
-            restore_throughput(kept);
+            // The light of a last segment is weakened once more where it ends.
+            if code != ALIVE {
+                restore_throughput(kept);
+            }
         }
         if code == ALIVE {
             if TRANSFERS {
-                transfer_passed(*ray, next, 1.0);
+                if !LEAVES_LIGHT {
+                    transfer_passed(*ray, next, 1.0);
+                }
             }
             if KEEPS_LENGTH {
                 add_length(spot.pixel, (*ray).phase, next.phase[0].xyz, next.phase[1].xyz);

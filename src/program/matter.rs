@@ -12,7 +12,7 @@ use crate::scene::Scene;
 /// The module with the functions of formulas, which media and laws may have already.
 const FORMULA: &str = "medium/formula";
 
-/// Adds the modules for light along paths through volumes.
+/// Adds the modules for light along paths through matter.
 pub(super) fn matter_parts(scene: &Scene, features: &Features, names: &mut Names) {
     if !features.volumes.transfers {
         return;

@@ -348,7 +348,7 @@ impl Features {
     pub fn asks_tau(&self) -> bool {
         self.needs_arcs
             || self.keeps_crossings
-            || self.volumes.transfers && self.volumes.volumes_change
+            || self.volumes.volumes_change
             || self.ends == PathEnds::Stored
             || !matches!(self.mode, Mode::Picture | Mode::Bare)
     }
