@@ -52,6 +52,41 @@ fn media_are_volumes() {
     }
 }
 
+/// Layers of a hundredth of a path, in media with formulas of the coefficient and of the transmittance, and with three colors.
+#[test]
+fn thin_layers_of_media_are_not_missed() {
+    let width = 0.1;
+    let layer = |height: f64| format!("{height}*exp(-((x - 0.37)/{width})^2)");
+    let [first, second, third] = [1.0, 5.0, 12.0].map(layer);
+    for (law, rays) in [
+        ("kind = \"straight\"", ""),
+        ("kind = \"schwarzschild\"\nmass = 1e-6", "method = \"planar\""),
+        (
+            "kind = \"sources\"\nsources = [{ position = [0, 3, 0], strength = -1e-6 }]",
+            "method = \"dormand-prince\"\ntolerance = 1e-6",
+        ),
+    ] {
+        for absorption in [
+            format!("{{ coefficient = ['{first}', '{second}', '{third}'] }}"),
+            format!("{{ transmittance = ['exp(-{first})', 'exp(-{second})', 'exp(-{third})'] }}"),
+        ] {
+            let text = format!(
+                "[image]\nsize = [4, 4]\n[camera]\nposition = [10, 0.01, 0]\nup = [0, 0, 1]\nfov = 1\n[sky]\ncolor = [1, 1, 1]\n\
+                 [law]\n{law}\nabsorption = {absorption}\n[rays]\nbounding_sphere = {{ radius = 10 }}\n{rays}\n"
+            );
+            let picture = rendered(&text, &[]);
+            for (channel, height) in [1.0, 5.0, 12.0].into_iter().enumerate() {
+                // Rays are inclined by at most half a degree, which makes paths longer by 4e-5.
+                let expected = (-height * width * std::f64::consts::PI.sqrt()).exp();
+                for found in &picture.band.color[channel] {
+                    let off = (f64::from(*found) / expected).ln().abs();
+                    assert!(off < 3e-3, "{law}, {absorption}, {channel}: {found} for {expected}");
+                }
+            }
+        }
+    }
+}
+
 /// A floor in the shadow of matter is as bright behind a box of glass without refraction as behind a volume, in straight light and by paths
 /// from the lamp.
 #[test]

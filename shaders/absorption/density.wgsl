@@ -4,24 +4,24 @@
 
 const EVEN: u32 = 0u;
 
-fn density_even(absorption: Absorption, q: Real3) -> vec3f {
+fn density_even(absorption: Absorption, p: MatterPlace) -> vec3f {
     return absorption.color;
 }
 
-// A coefficient that the user wrote as formulas of the position.
+// A coefficient that the user wrote as formulas.
 
 const FORMULA: u32 = 1u;
 
-fn density_formula(absorption: Absorption, q: Real3) -> vec3f {
-    return absorption_formula(absorption.which, q);
+fn density_formula(absorption: Absorption, p: MatterPlace) -> vec3f {
+    return absorption_formula(absorption.which, p);
 }
 
-// A color that the user wrote as formulas of the position; values outside [0, 1] are invalid.
+// A color that the user wrote as formulas; values outside [0, 1] are invalid.
 
 const COLOR_FORMULA: u32 = 2u;
 
-fn density_color_formula(absorption: Absorption, q: Real3) -> vec3f {
-    let color = absorption_formula(absorption.which, q);
+fn density_color_formula(absorption: Absorption, p: MatterPlace) -> vec3f {
+    let color = absorption_formula(absorption.which, p);
     return select(vec3f(-1.0), density_of(color), color >= vec3f(0.0) & color <= vec3f(1.0 + 1e-6));
 }
 
@@ -29,7 +29,7 @@ fn density_color_formula(absorption: Absorption, q: Real3) -> vec3f {
 
 const MIX: u32 = 3u;
 
-fn density_mix(absorption: Absorption, q: Real3, sum: f32) -> vec3f {
+fn density_mix(absorption: Absorption, p: MatterPlace, sum: f32) -> vec3f {
     return density_of(mix(absorption.color, absorption.high, texture_share(absorption, sum)));
 }
 
@@ -37,7 +37,7 @@ fn density_mix(absorption: Absorption, q: Real3, sum: f32) -> vec3f {
 
 const WRAPPED: u32 = 4u;
 
-fn density_wrapped(absorption: Absorption, q: Real3, sum: f32) -> vec3f {
+fn density_wrapped(absorption: Absorption, p: MatterPlace, sum: f32) -> vec3f {
     return density_of(mix(absorption.color, absorption.high, fract(absorption.times * texture_share(absorption, sum))));
 }
 
@@ -45,7 +45,7 @@ fn density_wrapped(absorption: Absorption, q: Real3, sum: f32) -> vec3f {
 
 const RAINBOW: u32 = 5u;
 
-fn density_rainbow(absorption: Absorption, q: Real3, sum: f32) -> vec3f {
+fn density_rainbow(absorption: Absorption, p: MatterPlace, sum: f32) -> vec3f {
     var stops = array<vec3f, 7>(
         vec3f(0.95, 0.15, 0.15),
         vec3f(0.95, 0.55, 0.12),
@@ -64,7 +64,7 @@ fn density_rainbow(absorption: Absorption, q: Real3, sum: f32) -> vec3f {
 
 const RAMP: u32 = 6u;
 
-fn density_ramp(absorption: Absorption, q: Real3, sum: f32) -> vec3f {
+fn density_ramp(absorption: Absorption, p: MatterPlace, sum: f32) -> vec3f {
     return density_of(min(image_sample(absorption.which, vec2f(texture_share(absorption, sum), 0.5), false), vec3f(1.0)));
 }
 
@@ -72,8 +72,8 @@ fn density_ramp(absorption: Absorption, q: Real3, sum: f32) -> vec3f {
 
 const MARBLE: u32 = 7u;
 
-fn density_marble(absorption: Absorption, q: Real3, sum: f32) -> vec3f {
-    let along = absorption.frequency * dot(absorption.axis, vec3f(q));
+fn density_marble(absorption: Absorption, p: MatterPlace, sum: f32) -> vec3f {
+    let along = absorption.frequency * dot(absorption.axis, vec3f(p.q));
     let share = 0.5 + 0.5 * sin(along + absorption.times * sum);
     return density_of(min(image_sample(absorption.which, vec2f(share, 0.5), false), vec3f(1.0)));
 }

@@ -43,12 +43,19 @@ fn enter_medium() {
 
 // Adds the medium's matter at a point of a path. Light of given frequencies has the mean of the colors.
 fn add_medium(spot: Spot, matter: ptr<function, Matter>) {
-    var dim = absorption_density(absorption, spot.x - absorption.center);
+    let p = placed_by_origin(spot, absorption.center);
+    var dim = absorption_density(absorption, p);
     var bright = absorption.emission;
     if IS_SPECTRAL {
         let mean = (dim.x + dim.y + dim.z) / 3.0;
         dim = vec3f(select(mean, -1.0, any(dim < vec3f(0.0))));
         bright = vec3f((bright.x + bright.y + bright.z) / 3.0);
+    }
+    if BOUNDS_MEDIA {
+        see_medium(p);
+        for (var k = 0u; k < 3u; k++) {
+            see_matter(MEDIUM_SLOT, k, Real2(0.0, Real(dim[k])));
+        }
     }
     for (var k = 0u; k < CHANNELS; k++) {
         let own = select(k, 0u, IS_SPECTRAL);

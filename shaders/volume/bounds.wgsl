@@ -14,9 +14,9 @@ struct MatterSeen {
 }
 
 // The points of the current piece.
-var<private> seen: array<MatterSeen, VOLUMES>;
+var<private> seen: array<MatterSeen, MATTER_SLOTS>;
 // The largest emission and absorption of the current step so far.
-var<private> step_most: array<Real2, VOLUMES>;
+var<private> step_most: array<Real2, MATTER_SLOTS>;
 
 // A piece is cut if it may hide more than this factor of the matter at its points.
 const HIDDEN_FACTOR: Real = 16.0;
@@ -27,21 +27,21 @@ const HIDDEN_LEAST: Real = 1e-30;
 const SEEN_MARGIN: Real = 0.15;
 
 fn begin_bounds() {
-    step_most = array<Real2, VOLUMES>();
+    step_most = array<Real2, MATTER_SLOTS>();
 }
 
 // Begins with no points.
 fn begin_seen() {
-    seen = array<MatterSeen, VOLUMES>();
+    seen = array<MatterSeen, MATTER_SLOTS>();
 }
 
 // The start and the end of the current piece.
-var<private> seen_before: array<MatterSeen, VOLUMES>;
-var<private> seen_behind: array<MatterSeen, VOLUMES>;
+var<private> seen_before: array<MatterSeen, MATTER_SLOTS>;
+var<private> seen_behind: array<MatterSeen, MATTER_SLOTS>;
 
 // Adds the start of the piece to its end, and begins with the points of the sums: the largest matter is theirs.
 fn begin_points() {
-    for (var v = 0u; v < VOLUMES; v++) {
+    for (var v = 0u; v < MATTER_SLOTS; v++) {
         if seen_before[v].points > 0u {
             for (var i = 0u; i < SMOOTH_FUNCTIONS; i++) {
                 see_value(v, i, seen_before[v].low[i]);

@@ -119,6 +119,9 @@ fn transfer_step(step: Stretch, until: Real) {
         enter_medium();
         transfer_allowed = min(transfer_allowed, Real(absorption.tolerance));
     }
+    if BOUNDS_MATTER {
+        begin_bounds();
+    }
     if HAS_VOLUMES {
         transfer_regions(step, until, extent, shortest);
     } else {
@@ -143,9 +146,6 @@ fn transfer_regions(step: Stretch, until: Real, extent: Real2, shortest: Real) {
     var a: Real = 0.0;
     var size = until;
     var place = region_place(step, 0.0);
-    if BOUNDS_MATTER {
-        begin_bounds();
-    }
     loop {
         var end = select(a + size, until, size > 0.9999 * (until - a) || is_spent());
         var at = region_place(step, end);

@@ -11,6 +11,7 @@ use std::fmt::Write as _;
 
 use super::generated::{switch, unit};
 use super::unit::Unit;
+use crate::assets::VolumeFormulas;
 use crate::scene::{Curve, FanRay, Formula, Function, Graph, Id, Node, Variable};
 
 /// Generates `formula(q)`: gradient and value at q, of the formula with the index `place`.
@@ -71,24 +72,21 @@ pub(super) fn fans(fans: &[&[FanRay]]) -> Unit {
 /// A conversion in a separate function, because naga does not convert a 64-bit constant to 32 bits; an argument is not a constant.
 const ROUNDED: &str = "fn absorption_rounded(value: Real) -> f32 {\n    return f32(value);\n}\n\n";
 
-/// Generates `absorption_formula(which, q)`: three numbers, one for each channel.
-pub(super) fn absorptions(absorptions: &[&[Formula; 3]]) -> Unit {
+/// Generates `absorption_formula(which, p)`: three numbers, one for each channel.
+pub(super) fn absorptions(absorptions: &[&VolumeFormulas]) -> Unit {
     let (mut text, mut calls) = (ROUNDED.to_owned(), Vec::new());
     for (which, formulas) in absorptions.iter().enumerate() {
-        let mut channels = Vec::new();
-        for (k, formula) in formulas.iter().enumerate() {
-            let (graph, [.., value]) = formula.graph();
-            let (lines, values) = body(graph, &[value], &["q.x", "q.y", "q.z"]);
-            let _ = writeln!(
-                text,
-                "// {formula}\nfn filter_{which}_{k}(q: Real3) -> f32 {{\n{lines}    return absorption_rounded({});\n}}\n",
-                values.join("")
-            );
-            channels.push(format!("filter_{which}_{k}(q)"));
-        }
-        calls.push((format!("{which}u"), format!("vec3f({})", channels.join(", "))));
+        let roots: Vec<Id> = formulas.coefficients.iter().map(|channel| channel.absorption).collect();
+        let (lines, values) = body(formulas.graph(), &roots, &VolumeFormulas::VARIABLES);
+        let all: Vec<_> = values.iter().map(|value| format!("absorption_rounded({value})")).collect();
+        let _ = writeln!(
+            text,
+            "fn absorption_{which}(p: MatterPlace) -> vec3f {{\n{lines}    return vec3f({});\n}}\n",
+            all.join(", ")
+        );
+        calls.push((format!("{which}u"), format!("absorption_{which}(p)")));
     }
-    text += &switch("fn absorption_formula(which: u32, q: Real3) -> vec3f", "which", &calls);
+    text += &switch("fn absorption_formula(which: u32, p: MatterPlace) -> vec3f", "which", &calls);
     unit("generated/absorption_formulas.wgsl", text)
 }
 

@@ -2,9 +2,10 @@
 
 use std::fmt::Write as _;
 
+use super::features::VolumeFeatures;
 use super::names::Names;
 use super::unit::Unit;
-use super::{Features, formula, generated, volumes};
+use super::{Features, formula, generated, matter_bounds, volumes};
 use crate::model::volume::{Radiation, Show};
 use crate::model::{Absorption, Wgsl};
 use crate::scene::Scene;
@@ -25,6 +26,7 @@ pub(super) fn matter_parts(scene: &Scene, features: &Features, names: &mut Names
     if features.volumes.media_absorb {
         absorption_parts(scene, names);
     }
+    names.when(features.volumes.bounds_matter, &["real/interval", "volume/bounds"]);
     if features.volumes.has_volumes {
         volumes::volume_parts(scene, features, names);
     }
@@ -60,6 +62,10 @@ fn matter(scene: &Scene, features: &Features) -> Unit {
     text += &shares(scene, features, channels);
     if features.volumes.has_volumes {
         text += &volumes::volumes(scene, features);
+    }
+    if features.volumes.bounds_matter {
+        let VolumeFeatures { bounds_media, is_spectral, .. } = features.volumes;
+        text += &matter_bounds::matter_bounds(scene, bounds_media, frequencies, is_spectral);
     }
     text += "\nfn matter_of(spot: Spot, within: u32) -> Matter {\n    var matter: Matter;\n";
     for v in 0..scene.volumes.len() {

@@ -5,7 +5,6 @@ use std::fmt::Write as _;
 use super::Features;
 use super::formula::body;
 use super::generated::switch;
-use super::matter_bounds::{bounds, hides, recorded, seen_ends};
 use super::names::Names;
 use crate::assets::{Id, VolumeFormulas};
 use crate::model::law::Observer;
@@ -23,18 +22,12 @@ pub(super) fn volume_parts(scene: &Scene, features: &Features, names: &mut Names
     names.add(if is_central { "volume/region_central" } else { "volume/region" });
     names.when(features.volumes.places_by_law, scene.law.facts().momentum_parts);
     names.when(features.volumes.has_grids, &["volume/grids"]);
-    names.when(features.volumes.bounds_matter, &["real/interval", "volume/bounds"]);
 }
 
 /// Generates the matter of each volume.
 pub(super) fn volumes(scene: &Scene, features: &Features) -> String {
     let all = &scene.volumes;
-    let coefficients = all.iter().map(|volume| volume.formulas.coefficients.len()).max().unwrap_or(1);
-    let mut text = format!("const VOLUMES: u32 = {}u;\nconst COEFFICIENTS: u32 = {coefficients}u;\n\n", all.len());
-    if features.volumes.bounds_matter {
-        let most = all.iter().map(|volume| bounds(&volume.formulas).leaves.len()).max().unwrap_or(0);
-        let _ = writeln!(text, "const SMOOTH_FUNCTIONS: u32 = {most}u;\n");
-    }
+    let mut text = format!("const VOLUMES: u32 = {}u;\n\n", all.len());
     let norms: Vec<_> = all.iter().enumerate().map(|(v, volume)| (format!("{v}u"), norm(volume))).collect();
     text += &switch("fn volume_norm(v: u32, p: Real3) -> Real", "v", &norms);
     let gap = |volume: &Volume| match central_radius(volume, scene) {
@@ -45,10 +38,6 @@ pub(super) fn volumes(scene: &Scene, features: &Features) -> String {
     text += &switch("fn volume_gap(v: u32, reach: Real) -> Real", "v", &gaps);
     for (v, volume) in all.iter().enumerate() {
         text += &one(v, volume, scene, features);
-    }
-    if features.volumes.bounds_matter {
-        text += &hides(all, frequencies(scene, features).len());
-        text += &seen_ends(all);
     }
     if features.volumes.has_grids {
         text += &cells(all);
@@ -145,9 +134,7 @@ pub(super) fn common_exponents(scene: &Scene, features: &Features) -> Option<[f6
 fn added(v: usize, volume: &Volume, scene: &Scene, features: &Features) -> String {
     let formulas = &volume.formulas;
     let is_bounded = features.volumes.bounds_matter && formulas.varies();
-    let mut text = if is_bounded { recorded(v, formulas) } else { String::new() };
-    let _ = write!(
-        text,
+    let mut text = format!(
         "fn add_volume_{v}(spot: Spot, matter: ptr<function, Matter>) {{\n    let p = volume_place_{v}(spot);\n    \
          let n = volume_density_{v}(p);\n"
     );

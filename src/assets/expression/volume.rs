@@ -99,6 +99,29 @@ impl VolumeFormulas {
     ///
     /// The first error, with the text that contains it.
     pub fn parse(texts: VolumeTexts) -> Result<Self, (VolumeField, FormulaError)> {
+        Self::of(texts, &ALL)
+    }
+
+    /// Parses the absorption of a medium, one formula for all channels or one for each of three.
+    ///
+    /// # Errors
+    ///
+    /// The first error, with the index of the text that contains it.
+    pub fn of_medium(absorption: Vec<String>) -> Result<Self, (usize, FormulaError)> {
+        let texts = VolumeTexts {
+            density: "1".to_owned(),
+            emission: vec!["0".to_owned()],
+            absorption,
+            ..VolumeTexts::default()
+        };
+        Self::of(texts, &PLACE).map_err(|(field, error)| match field {
+            VolumeField::Absorption(k) => (k, error),
+            _ => (0, error),
+        })
+    }
+
+    /// Parses the formulas; those of emission and absorption have the variables `names`.
+    fn of(texts: VolumeTexts, names: &'static [Name]) -> Result<Self, (VolumeField, FormulaError)> {
         let mut reader = Reader::plain();
         name_angles(&mut reader).map_err(|error| (VolumeField::Density, error))?;
         for (k, (name, value)) in texts.parameters.iter().enumerate() {
@@ -127,8 +150,8 @@ impl VolumeFormulas {
             let each = texts.iter().enumerate().map(|(k, text)| of(&mut reader, text, names, field(k)));
             each.collect::<Result<Vec<Id>, _>>()
         };
-        let emission = all(&texts.emission, &ALL, VolumeField::Emission)?;
-        let absorption = all(&texts.absorption, &ALL, VolumeField::Absorption)?;
+        let emission = all(&texts.emission, names, VolumeField::Emission)?;
+        let absorption = all(&texts.absorption, names, VolumeField::Absorption)?;
         let flow = all(&texts.flow, &PLACE, VolumeField::Flow)?;
         let temperature = texts.temperature.as_ref();
         let temperature =
@@ -206,6 +229,12 @@ impl VolumeFormulas {
     pub fn is_dark(&self) -> bool {
         let is_none = |id: Id| self.graph.number(id) == Some(0.0);
         self.temperature.is_none() && self.coefficients.iter().all(|channel| is_none(channel.emission))
+    }
+
+    /// Returns the absorption of the first channel if it is constant.
+    #[must_use]
+    pub fn absorption_constant(&self) -> Option<f64> {
+        self.graph.number(self.coefficients[0].absorption)
     }
 
     /// Returns `true` if nothing absorbs light.

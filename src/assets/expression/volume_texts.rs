@@ -1,7 +1,7 @@
 //! The formulas of a volume as written, and the places of their errors.
 
 /// The formulas of a volume as written.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, Default, PartialEq)]
 pub struct VolumeTexts {
     /// The parameters: names for numbers.
     pub parameters: Vec<(String, f64)>,

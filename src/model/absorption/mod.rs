@@ -12,7 +12,7 @@ mod texture;
 use glam::DVec3;
 
 use super::{Row, row};
-use crate::assets::Formula;
+use crate::assets::VolumeFormulas;
 
 pub(crate) use read::{read, reference};
 pub use texture::{NoiseColoring, Texture};
@@ -35,10 +35,10 @@ pub struct Absorption {
 pub enum Density {
     /// A constant σ, per unit length.
     Even(DVec3),
-    /// Formulas of σ for each channel, relative to the center.
-    Formula([Formula; 3]),
-    /// Formulas of the transmittance per unit length, for each channel.
-    Color([Formula; 3]),
+    /// Formulas of σ, relative to the center.
+    Formula(VolumeFormulas),
+    /// Formulas of the transmittance per unit length.
+    Color(VolumeFormulas),
     /// A texture of the transmittance per unit length.
     Texture(Texture),
 }
@@ -73,7 +73,7 @@ impl Absorption {
 
     /// Returns the formulas, if the density uses them.
     #[must_use]
-    pub fn formulas(&self) -> Option<&[Formula; 3]> {
+    pub fn formulas(&self) -> Option<&VolumeFormulas> {
         match &self.density {
             Density::Formula(formulas) | Density::Color(formulas) => Some(formulas),
             Density::Even(_) | Density::Texture(_) => None,

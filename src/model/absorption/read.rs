@@ -3,7 +3,7 @@
 use glam::DVec3;
 
 use super::{Absorption, Density, NoiseColoring, Texture, density_of};
-use crate::assets::{Files, Formula};
+use crate::assets::{Files, VolumeFormulas};
 use crate::document::reader::TableReader;
 use crate::document::values::{
     Parsed, array, color, direction, number, number_where, point, positive, text, whole, word,
@@ -15,7 +15,7 @@ pub(crate) fn reference() -> Vec<KeyReference> {
     key_rows! {
         "absorption" {
             transmittance if "no coefficient and no texture": "[red, green, blue], or formulas" = "none",
-                "fraction of light that remains after a unit length, 0 to 1: three numbers, or one or three formulas in x, y, z and r";
+                "fraction of light that remains after a unit length, 0 to 1: three numbers, or one or three formulas of x, y, z, r, rho, theta, phi and t";
             coefficient if "no transmittance and no texture": "number, formula, or three" = "none", "absorption coefficient σ = −ln transmittance, 0 or above, per unit length";
             texture if "no transmittance and no coefficient": "mix | wrapped | rainbow | ramp" = "none", "transmittance from fractal noise";
             low if r#"texture = "mix", or "wrapped""#: "[red, green, blue], 0 to 1" = "required", "color where the noise is lowest";
@@ -100,7 +100,7 @@ fn is_text(node: &Node) -> bool {
 }
 
 /// Reads one formula for all channels or one for each; constant values must be within `range`.
-fn formulas(table: &TableReader, node: &Node, range: std::ops::RangeInclusive<f64>) -> Option<[Formula; 3]> {
+fn formulas(table: &TableReader, node: &Node, range: std::ops::RangeInclusive<f64>) -> Option<VolumeFormulas> {
     let nodes: Vec<&Node> = match &node.value {
         Value::Array(items) if items.len() == 3 => items.iter().collect(),
         Value::Text(_) => vec![node],
@@ -110,15 +110,15 @@ fn formulas(table: &TableReader, node: &Node, range: std::ops::RangeInclusive<f6
         }
     };
     // All formulas are read before the first error returns, so that every error is reported.
-    let read: Vec<Option<Formula>> = nodes.iter().map(|node| formula(table, node, &range)).collect();
-    let all: Vec<Formula> = read.into_iter().collect::<Option<_>>()?;
-    Some(std::array::from_fn(|k| all[k.min(all.len() - 1)].clone()))
+    let read: Vec<Option<String>> = nodes.iter().map(|node| formula(table, node, &range)).collect();
+    VolumeFormulas::of_medium(read.into_iter().collect::<Option<_>>()?).ok()
 }
 
-fn formula(table: &TableReader, node: &Node, range: &std::ops::RangeInclusive<f64>) -> Option<Formula> {
+/// Returns the text of a valid formula.
+fn formula(table: &TableReader, node: &Node, range: &std::ops::RangeInclusive<f64>) -> Option<String> {
     let written = table.reader.accept(text(node))?;
-    match Formula::parse(written) {
-        Ok(formula) => match formula.constant().filter(|value| !range.contains(value)) {
+    match VolumeFormulas::of_medium(vec![written.to_owned()]).map_err(|(_, error)| error) {
+        Ok(formula) => match formula.absorption_constant().filter(|value| !range.contains(value)) {
             Some(value) => {
                 let problem = match range.end() {
                     end if end.is_finite() => format!("expected a fraction from 0 to 1, found {value}"),
@@ -127,7 +127,7 @@ fn formula(table: &TableReader, node: &Node, range: &std::ops::RangeInclusive<f6
                 table.reader.fault_inside(node, 0..written.len(), problem, String::new());
                 None
             }
-            None => Some(formula),
+            None => Some(written.to_owned()),
         },
         Err(error) => {
             table.reader.fault_inside(node, error.place, error.problem, error.help);

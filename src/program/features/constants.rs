@@ -22,7 +22,7 @@ impl Features {
             beams shifts_hues knows_shift follows_shift keeps_orders keeps_crossings
         );
         let volumes = named!(self.volumes;
-            transfers transfers_orbits has_volumes media_absorb has_jumps emits absorbs is_spectral counts_transfer keeps_depth bounds_matter has_edges has_grids shifts_volumes has_horizon volumes_change places_by_law is_parallel
+            transfers transfers_orbits has_volumes media_absorb has_jumps emits absorbs is_spectral counts_transfer keeps_depth bounds_matter bounds_media has_edges has_grids shifts_volumes has_horizon volumes_change places_by_law is_parallel
         );
         let derived = [
             ("leaves_surfaces", self.looks_from_surfaces || self.shoots || self.follows_paths),

@@ -2,6 +2,7 @@
 
 use glam::DVec3;
 
+use crate::assets::VolumeFormulas;
 use crate::model::{Absorption, Camera};
 use crate::program::{Layer, Mode, ProgramOptions};
 use crate::scene::Scene;
@@ -32,6 +33,8 @@ pub struct VolumeFeatures {
     pub keeps_depth: bool,
     /// Pieces of paths are tested for matter that is too thin to meet their points.
     pub bounds_matter: bool,
+    /// Some of these test the formulas of media.
+    pub bounds_media: bool,
     /// Matter may have an edge or a kink between the end of a piece and the next of its points.
     pub has_edges: bool,
     /// Formulas use samples on grids.
@@ -63,6 +66,8 @@ impl VolumeFeatures {
         let glows = scene.volumes.iter().any(|volume| !volume.formulas.is_dark())
             || scene.absorptions().any(|own| own.emission != DVec3::ZERO);
         let emits = transfers && glows && !mode.leaves_light();
+        let of_media = || scene.absorptions().filter_map(Absorption::formulas);
+        let bounds_media = media_absorb && of_media().any(VolumeFormulas::varies);
         let has_interiors = scene.objects.iter().any(|object| object.interior().is_some());
         let shifts_volumes =
             has_volumes && !has_interiors && !mode.leaves_light() && scene.has_frequencies_of(mode.is_given());
@@ -79,14 +84,17 @@ impl VolumeFeatures {
             absorbs: transfers && absorbs,
             counts_transfer: transfers && if is_spectral { scene.scatters() } else { emits },
             keeps_depth: is_spectral && has_depths,
-            bounds_matter: scene.volumes.iter().any(|volume| volume.formulas.varies()),
+            bounds_matter: bounds_media || has_volumes && scene.volumes.iter().any(|volume| volume.formulas.varies()),
+            bounds_media,
             has_edges: has_volumes && scene.volumes.iter().any(|volume| volume.formulas.has_edges())
-                || media_absorb && scene.absorptions().any(|own| own.texture().is_some()),
+                || media_absorb && scene.absorptions().any(|own| own.texture().is_some())
+                || media_absorb && of_media().any(VolumeFormulas::has_edges),
             has_grids: scene.volumes.iter().any(|volume| !volume.grids.is_empty()),
             shifts_volumes,
             has_horizon: shifts_volumes && (scene.horizon().is_some() || has_lapse),
             volumes_change: has_volumes
-                && (facts.changes_with_time || scene.volumes.iter().any(|volume| volume.formulas.changes())),
+                && (facts.changes_with_time || scene.volumes.iter().any(|volume| volume.formulas.changes()))
+                || media_absorb && of_media().any(VolumeFormulas::changes),
             places_by_law: has_volumes && scene.places_volumes_by_law(),
             is_parallel: transfers && scene.camera.as_ref().is_some_and(Camera::is_parallel),
         }

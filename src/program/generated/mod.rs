@@ -149,17 +149,17 @@ pub(super) fn aims(kinds: &[&str], guides: usize) -> Unit {
 pub(super) fn absorptions(kinds: &[(bool, &str)]) -> Unit {
     let call = |(is_texture, kind): &(bool, &str)| {
         let sum = if *is_texture { ", sum" } else { "" };
-        (kind.to_uppercase(), format!("density_{kind}(absorption, q{sum})"))
+        (kind.to_uppercase(), format!("density_{kind}(absorption, p{sum})"))
     };
     let calls: Vec<_> = kinds.iter().map(call).collect();
     // The long sum over a texture is written once, for all kinds that use it.
     let text = if kinds.iter().any(|(is_texture, _)| *is_texture) {
-        let signature = "fn textured_density(absorption: Absorption, q: Real3, sum: f32) -> vec3f";
+        let signature = "fn textured_density(absorption: Absorption, p: MatterPlace, sum: f32) -> vec3f";
         switch(signature, "absorption.kind", &calls)
-            + "\nfn absorption_density(absorption: Absorption, q: Real3) -> vec3f {\n    \
-               return textured_density(absorption, q, texture_sum(absorption, q));\n}\n"
+            + "\nfn absorption_density(absorption: Absorption, p: MatterPlace) -> vec3f {\n    \
+               return textured_density(absorption, p, texture_sum(absorption, p.q));\n}\n"
     } else {
-        switch("fn absorption_density(absorption: Absorption, q: Real3) -> vec3f", "absorption.kind", &calls)
+        switch("fn absorption_density(absorption: Absorption, p: MatterPlace) -> vec3f", "absorption.kind", &calls)
     };
     unit("generated/absorption.wgsl", text)
 }
