@@ -132,6 +132,18 @@ fn samples() -> Vec<u8> {
 
 /// Checks the radiance of every pixel, and that no path is lost, because a lost dark path would not affect its pixel.
 fn check(table: &str, size: [u32; 2], samples_a_pixel: u32, law_and_objects: fn(&str, &str) -> [String; 2]) {
+    let paths = ["lighting = \"path-tracing\", ", "path_tracing = { rr_depth = 100000, light_sampling = false }\n"];
+    check_lit(table, size, samples_a_pixel, (paths, [1.0, 0.5, 0.3]), law_and_objects);
+}
+
+/// Checks a table with a kind of lighting under which walls show a radiance.
+fn check_lit(
+    table: &str,
+    size: [u32; 2],
+    samples_a_pixel: u32,
+    ([lighting, settings], shown): ([&str; 2], [f64; 3]),
+    law_and_objects: fn(&str, &str) -> [String; 2],
+) {
     let folder = tempfile::tempdir().unwrap();
     std::fs::write(folder.path().join("index.raw"), samples()).unwrap();
     let grid = format!(
@@ -146,14 +158,14 @@ fn check(table: &str, size: [u32; 2], samples_a_pixel: u32, law_and_objects: fn(
         let brighter = Formula::parse(row[3]).unwrap_or_else(|error| panic!("{error:?}")).value(DVec3::ZERO);
         let text = format!(
             "image = {{ size = {size:?}, samples = {samples_a_pixel} }}\ncamera = {{ {camera} }}\nlaw = {law}\n\
-             rays = {{ bounding_sphere = {{ radius = 4 }}, lighting = \"path-tracing\", {rays} }}\npath_tracing = {{ rr_depth = 100000, light_sampling = false }}\n\
+             rays = {{ bounding_sphere = {{ radius = 4 }}, {lighting}{rays} }}\n{settings}\
              objects = [{objects}]\n[materials]\nmirror = {{ kind = \"mirror\" }}\ndark = {{ kind = \"phong\", diffuse = [0, 0, 0] }}\n\
-             wall = {{ kind = \"phong\", diffuse = [0.5, 0.2, 0], emission = [0.5, 0.4, 0.3] }}\n\
-             # Where n² is four times as large.\nbright = {{ kind = \"phong\", diffuse = [0.5, 0.2, 0], emission = [2, 1.6, 1.2] }}\n"
+             wall = {{ kind = \"phong\", ambient = 0, diffuse = [0.5, 0.2, 0], emission = [0.5, 0.4, 0.3] }}\n\
+             # Where n² is four times as large.\nbright = {{ kind = \"phong\", ambient = 0, diffuse = [0.5, 0.2, 0], emission = [2, 1.6, 1.2] }}\n"
         );
         let picture = Renderer::new(&gpu, &scene(&text), RenderSettings::default()).unwrap().render().unwrap();
         let mut off = 0.0_f64;
-        for (values, radiance) in picture.band.color.iter().zip([1.0, 0.5, 0.3]) {
+        for (values, radiance) in picture.band.color.iter().zip(shown) {
             let each = values.iter().map(|value| (f64::from(*value) / (radiance * brighter) - 1.0).abs());
             // NaN is the largest error.
             off = each.map(|off| if off.is_nan() { f64::INFINITY } else { off }).fold(off, f64::max);
@@ -174,6 +186,15 @@ fn as_written(law: &str, objects: &str) -> [String; 2] {
 #[test]
 fn every_law() {
     check(LAWS, [12, 8], 2, as_written);
+}
+
+/// Without path tracing, walls show their emission, and L/n² is constant as well.
+#[test]
+fn every_medium_without_path_tracing() {
+    let emission = [0.5, 0.4, 0.3];
+    check_lit(SPACES, [6, 4], 1, (["", ""], emission), |medium, walls| {
+        [format!("{{ kind = \"medium\", index = {medium} }}"), walls.to_owned()]
+    });
 }
 
 #[test]

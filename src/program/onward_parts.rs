@@ -10,7 +10,7 @@ use crate::scene::Scene;
 pub(super) fn scatter_parts(scene: &Scene, features: &Features, regions: &Regions, names: &mut Names) {
     if !features.scatters {
         names.all(&["surface/region_none", "surface/scatter/none"]);
-        names.add(plain_throughput(features));
+        names.add(plain_throughput(scene, features));
         return;
     }
     let &Features { follows_paths, in_pieces, is_translucent, has_regions, .. } = features;
@@ -71,23 +71,32 @@ fn path_parts(scene: &Scene, features: &Features, names: &mut Names) {
 
 /// Adds the modules for the throughput of scattered rays, and for the choice between two branches.
 fn sent_parts(scene: &Scene, features: &Features, names: &mut Names) {
-    let is_gray = |material: &Material| !material.surface.facts().continues || material.color.is_gray();
-    names.add(match plain_throughput(features) {
-        "surface/throughput/none" if features.is_picture() && scene.materials.iter().all(is_gray) => {
-            "surface/throughput/single"
+    let is_colored = |material: &Material| material.surface.facts().continues && !material.color.is_gray();
+    let plain = plain_throughput(scene, features);
+    let has_colors = features.is_picture() && !features.volumes.is_spectral;
+    names.add(match plain {
+        "surface/throughput/none" | "surface/throughput/single" if has_colors => {
+            if scene.materials.iter().any(is_colored) {
+                "surface/throughput/colored"
+            } else {
+                "surface/throughput/single"
+            }
         }
-        "surface/throughput/none" if features.is_picture() => "surface/throughput/colored",
-        filtered => filtered,
+        _ => plain,
     });
 }
 
 /// Returns the module for the throughput of a ray before any surface has changed it.
-fn plain_throughput(features: &Features) -> &'static str {
+fn plain_throughput(scene: &Scene, features: &Features) -> &'static str {
     match features.mode {
         Mode::Light | Mode::Caustics => "surface/throughput/single",
         _ if features.volumes.is_spectral && features.volumes.counts_transfer => "surface/throughput/single",
         Mode::Picture if features.sees_glow => "path/carried",
         Mode::Picture if features.volumes.absorbs && !features.volumes.is_spectral => "surface/throughput/colored",
+        // L/n² is constant along a ray.
+        Mode::Picture if !features.volumes.is_spectral && scene.law.facts().medium().is_some() => {
+            "surface/throughput/single"
+        }
         _ => "surface/throughput/none",
     }
 }
