@@ -140,3 +140,33 @@ fn light_at_the_horizon_counts_once() {
         assert!((single[0].intensity / double[0].intensity - 1.0).abs() < 1e-4, "{single:?} {double:?}");
     }
 }
+
+/// The light at the horizon of a hole with spin is found in coordinates that are regular there, however near the path is to the horizon.
+#[test]
+fn typed_metrics_shine_down_to_a_turning_horizon() {
+    let of = |law: &str| {
+        let text = format!(
+            "{law}precision = \"f64\"\nbounding_sphere = {{ radius = 100 }}\n[radiation]\nfrequencies = [1.0]\ntolerance = 1e-8\n\
+             [[volumes]]\nshape = \"sphere\"\nradius = 15\nflow = \"zamo\"\n\
+             density = \"exp(-(x^2 + y^2 + z^2)/100)\"\nemission = \"n*nu^3\"\n"
+        );
+        let rays: Vec<[f64; 6]> = (0..6).map(|k| [20.0, 3.0, 4.0, -1.0, 0.02 * f64::from(k) - 0.2, -0.15]).collect();
+        lights_of(&scene(&text), &rays).0
+    };
+    let own = of("[law]\nkind = \"kerr-newman\"\nspin = 0.9\n[rays]\nmethod = \"separated\"\nscaled_step = 0.02\n");
+    let horizon = 1.0 + (1.0_f64 - 0.81).sqrt();
+    // The rest of the way counts with its leading power, so that the error falls with the distance from the horizon.
+    for (height, bound) in [(2e-3, 1e-4), (2e-5, 2e-6)] {
+        let typed = format!(
+            "[law]\nkind = \"metric\"\nscale = \"R\"\nparameters = {{ a = 0.9 }}\ncapture_condition = \"R < {}\"\n\
+             line_element = \"-dt^2 + dx^2 + dy^2 + dz^2 + f*(dt + (R*x + a*y)/(R^2 + a^2)*dx + (R*y - a*x)/(R^2 + a^2)*dy + z/R*dz)^2\"\n\
+             [law.terms]\nb = \"x^2 + y^2 + z^2 - a^2\"\nR = \"sqrt(0.5*(b + sqrt(b^2 + 4*a^2*z^2)))\"\nf = \"2*R^3/(R^4 + a^2*z^2)\"\n\
+             [rays]\nmethod = \"dormand-prince\"\ntolerance = 1e-9\n",
+            horizon * (1.0 + height)
+        );
+        for (one, two) in of(&typed).iter().zip(&own) {
+            let off = one[0].intensity / two[0].intensity - 1.0;
+            assert!(off.abs() < bound, "{height}: {off} {one:?} {two:?}");
+        }
+    }
+}

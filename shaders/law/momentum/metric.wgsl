@@ -52,7 +52,10 @@ fn law_descent(x: Real3, v: Real3, horizon: Real) -> Real {
     }
     let size = SLOPE_PART * metric_scale(q, law.time);
     let here = zamo_lapse(x);
-    let rate = log_ratio(zamo_lapse(x - size * v), zamo_lapse(x + size * v)) / (2.0 * size);
+    // A straight line around the axis would leave the horizon.
+    let around = cross(frequency.axis, law_arm(x));
+    let way = size * (v - (dot(around, v) / max(dot(around, around), 1e-30)) * around);
+    let rate = log_ratio(zamo_lapse(x - way), zamo_lapse(x + way)) / (2.0 * size);
     return select(Real(0.0), rate, here > 0.0 && here < NEAR_HORIZON);
 }
 
