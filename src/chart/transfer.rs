@@ -38,7 +38,7 @@ pub(super) fn transfer_points(
 ) -> Result<Vec<TransferPoint>, RenderError> {
     let point = |tolerance| {
         let mut scene = scene.clone();
-        scene.radiation.iter_mut().for_each(|radiation| radiation.tolerance = tolerance);
+        scene.radiation.iter_mut().for_each(|radiation| radiation.own_tolerance = Some(tolerance));
         let options = ProgramOptions { schedule, ..ProgramOptions::default() };
         let settings = RenderSettings { segments: 256, ..RenderSettings::default() };
         let mut few = Tracer::new(gpu, &scene, settings.clone(), starts.mode())?;

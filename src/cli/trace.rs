@@ -29,7 +29,7 @@ use crate::render::{
     self, Crossing, PathPoint, RenderSettings, StartUp, Totals, Traced, Tracer, Transferred, pixel_starts, trace,
     trace_paths,
 };
-use crate::scene::{CutPlane, Scene};
+use crate::scene::{CutPlane, Precision, Scene};
 
 /// Trace given rays with the same passes as an image, and write their end points or draw their paths
 #[derive(Debug, Args)]
@@ -120,8 +120,12 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Error> {
     arguments.device.check()?;
     let opening = arguments.device.open();
     let film = Film::new(&arguments.scene, arguments.changes.overrides()?).on(arguments.device.name());
-    let scene = film.load(None)?;
+    let mut scene = film.load(None)?;
     check(arguments, &scene)?;
+    let is_double = scene.rays.precision == Precision::Double;
+    if let Some(radiation) = scene.radiation.as_mut().filter(|_| arguments.intensities) {
+        radiation.refine(is_double);
+    }
     let mut inputs = film.inputs();
     inputs.extend(arguments.rays.clone().map(|rays| (rays, "the file of rays")));
     paths::check(arguments.output.iter().chain(&arguments.plot).map(PathBuf::as_path), &inputs)?;

@@ -75,7 +75,7 @@ impl Uploads<'_> {
     fn transfer(&self) -> Row {
         let radiation = self.scene.radiation.as_ref();
         let axes = self.scene.law.formula_axes();
-        let tolerance = radiation.map_or(Radiation::COLOR_TOLERANCE, |radiation| radiation.tolerance);
+        let tolerance = radiation.map_or(Radiation::COLOR_TOLERANCE, Radiation::tolerance);
         row! {
             // Media have their own tolerances.
             tolerance: Float(if self.scene.volumes.is_empty() { 1.0 } else { tolerance }),

@@ -28,7 +28,7 @@ impl Judged {
     pub fn accuracy(self, scene: &Scene) -> Option<f64> {
         let angle = scene.accuracy()?;
         Some(match (self, scene.rays.auto?.accuracy, &scene.radiation) {
-            (Self::Light, Accuracy::Pixels(part), Some(radiation)) => PIXEL_OF_LIGHT * part * radiation.tolerance,
+            (Self::Light, Accuracy::Pixels(part), Some(radiation)) => PIXEL_OF_LIGHT * part * radiation.tolerance(),
             _ => angle,
         })
     }

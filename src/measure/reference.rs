@@ -35,7 +35,7 @@ pub fn reference(scene: &Scene, tolerance: f64) -> Scene {
     rays.segment = Segment::Arc { tolerance: arc.min(1e-5 * rays.bounding_sphere.radius) };
     rays.closed_forms = true;
     if let Some(radiation) = &mut scene.radiation {
-        radiation.tolerance *= FINER_LIGHT;
+        radiation.own_tolerance = Some(FINER_LIGHT * radiation.tolerance());
     }
     rays.method = TOLERANT;
     rays.control = embedded::with(tolerance.max(FINEST), 0.3);

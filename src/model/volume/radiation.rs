@@ -19,8 +19,8 @@ pub struct Radiation {
     pub reference: Option<f64>,
     /// The emission coefficient 1, in erg/(cm³ s Hz sr).
     pub emission: Option<f64>,
-    /// The largest error of a piece of a path, relative to its light.
-    pub tolerance: f64,
+    /// The largest error of a piece of a path, relative to the light of its ray, if the scene gives it.
+    pub own_tolerance: Option<f64>,
     /// The intensity that pictures show as white, in the units of the layer `intensity_0`.
     pub white: f64,
     /// The colors of pictures.
@@ -39,10 +39,23 @@ pub enum Show {
 }
 
 impl Radiation {
-    /// The default tolerance.
-    pub const TOLERANCE: f64 = 1e-4;
+    /// The default tolerance of images.
+    const TOLERANCE: f64 = 1e-4;
+    /// The default tolerances of numbers, in 32 and in 64 bits.
+    const FINE_TOLERANCES: [f64; 2] = [1e-6, 1e-9];
     /// The tolerance of colors, of which an image shows 256 values.
     pub const COLOR_TOLERANCE: f64 = 1e-3;
+
+    /// Returns the largest error of a piece of a path, relative to the light of its ray.
+    #[must_use]
+    pub fn tolerance(&self) -> f64 {
+        self.own_tolerance.unwrap_or(Self::TOLERANCE)
+    }
+
+    /// Sets the tolerance for the light of single rays, unless the scene gives one.
+    pub fn refine(&mut self, is_double: bool) {
+        self.own_tolerance.get_or_insert(Self::FINE_TOLERANCES[usize::from(is_double)]);
+    }
 
     /// Returns a frequency in hertz.
     #[must_use]
@@ -72,7 +85,7 @@ pub(super) fn reference() -> Vec<KeyReference> {
             reference: "string" = "the first frequency", "ν₀, the frequency at which `nu` is 1 in formulas of volumes";
             emission: "number above 0" = "none",
                 "emission coefficient 1 of the formulas, in erg/(cm³ s Hz sr): with [units], intensities and fluxes then have units";
-            tolerance: "number above 0, below 1" = "0.0001", "largest error of a piece of a path, relative to the light of its ray";
+            tolerance: "number above 0, below 1" = "0.0001; for `bentray trace` 1e-6, in 64 bits 1e-9", "largest error of a piece of a path, relative to the light of its ray";
             white: "number above 0" = "1", "intensity that pictures show as white, in the units of the layer `intensity_0`";
             show: "gray | heat | [red, green, blue]" = "gray", "colors of pictures: of the first frequency, or the indices of three frequencies";
         }
@@ -103,7 +116,7 @@ pub(super) fn read(root: &TableReader) -> Option<Radiation> {
     let reference = table.optional("reference", quantity(Dimension::Frequency));
     let emission = table.optional("emission", any_positive);
     let small = number_where("a number above 0 and below 1", |x| x > 0.0 && x < 1.0);
-    let tolerance = table.or("tolerance", Radiation::TOLERANCE, small);
+    let own_tolerance = table.optional("tolerance", small);
     let white = table.or("white", 1.0, positive);
     let count = all.as_ref().map_or(1, Vec::len);
     let show = table.or("show", Show::Gray, |node| show(node, count));
@@ -123,7 +136,7 @@ pub(super) fn read(root: &TableReader) -> Option<Radiation> {
         table.fault(&["frequencies"], problem, "give all of them units, or set `reference`");
     }
     table.finish();
-    Some(Radiation { frequencies: frequencies?, reference: in_hertz, emission, tolerance, white, show })
+    Some(Radiation { frequencies: frequencies?, reference: in_hertz, emission, own_tolerance, white, show })
 }
 
 /// Reads a number above 0, which is used on the host alone and may be very small.
