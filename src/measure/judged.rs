@@ -1,7 +1,7 @@
 //! The measure of the errors of rays.
 
 use crate::model::volume::MOST_FREQUENCIES;
-use crate::scene::{Accuracy, Scene};
+use crate::scene::{Accuracy, Precision, Scene};
 
 /// The property of rays whose errors count.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -14,6 +14,9 @@ pub enum Judged {
 
 /// The allowed error of light for a pixel, in units of the tolerance of `[radiation]`: a tenth of a pixel is ten times the error of a piece.
 const PIXEL_OF_LIGHT: f64 = 100.0;
+
+/// The errors of light below which methods are not compared, in 32 and in 64 bits, because the rounding of paths may add as much.
+const FINEST_LIGHT: [f64; 2] = [1e-4, 1e-7];
 
 impl Judged {
     /// Returns the measure for an image: light, if the image shows nothing else and no angle is required.
@@ -28,7 +31,10 @@ impl Judged {
     pub fn accuracy(self, scene: &Scene) -> Option<f64> {
         let angle = scene.accuracy()?;
         Some(match (self, scene.rays.auto?.accuracy, &scene.radiation) {
-            (Self::Light, Accuracy::Pixels(part), Some(radiation)) => PIXEL_OF_LIGHT * part * radiation.tolerance(),
+            (Self::Light, Accuracy::Pixels(part), Some(radiation)) => {
+                let least = FINEST_LIGHT[usize::from(scene.rays.precision == Precision::Double)];
+                (PIXEL_OF_LIGHT * part * radiation.tolerance()).max(least)
+            }
             _ => angle,
         })
     }
