@@ -170,3 +170,49 @@ fn typed_metrics_shine_down_to_a_turning_horizon() {
         }
     }
 }
+
+/// Matter whose absorption grows without bound toward the horizon is opaque there: if light is emitted in proportion, that of every captured
+/// ray is the uniform source function, times g³.
+#[test]
+fn matter_is_opaque_at_the_horizon() {
+    for (law, emission, absorption) in
+        [("\"schwarzschild\"", "nu^4", "nu"), ("\"kerr-newman\"\nspin = 0.9", "0.02*nu^5", "0.02*nu^2")]
+    {
+        let text = format!(
+            "[law]\nkind = {law}\n[rays]\nbounding_sphere = {{ radius = 100 }}\n[radiation]\nfrequencies = [1.0, 1.5]\n\
+             tolerance = 1e-5\n[[volumes]]\nshape = \"sphere\"\nradius = 4\nflow = \"zamo\"\n\
+             emission = \"{emission}\"\nabsorption = \"{absorption}\"\n"
+        );
+        let rays = [[20.0, 3.0, 4.0, -1.0, -0.15, -0.2], [20.0, 0.0, 1.0, -1.0, 0.05, -0.05]];
+        let (lights, totals) = lights_of(&scene(&text), &rays);
+        for light in &lights {
+            for (light, nu) in light.iter().zip([1.0_f64, 1.5]) {
+                let off = light.intensity / nu.powi(3) - 1.0;
+                assert!(off.abs() < 2e-3, "{law} {emission}: {off} {totals}");
+            }
+        }
+        assert_eq!(totals.undefined, 0, "{law} {emission}: {totals}");
+    }
+}
+
+/// Of several frequencies, each has the matter of its own: pieces end although a formula falls steeply between them.
+#[test]
+fn each_frequency_has_bounds_of_its_own() {
+    let of = |frequencies: &str| {
+        let text = format!(
+            "[law]\nkind = \"kerr-newman\"\nspin = 0.9\n[rays]\nbounding_sphere = {{ radius = 100 }}\n[radiation]\n\
+             frequencies = {frequencies}\n[[volumes]]\nshape = \"sphere\"\nradius = 30\nflow = \"zamo\"\n\
+             density = \"exp(-((r - 6)/2)^2)\"\nemission = \"n*nu^3*exp(-nu)\"\nabsorption = \"n*exp(-2*nu)\"\n"
+        );
+        let rays: Vec<[f64; 6]> = (0..20).map(|k| [20.0, 3.0, 4.0, -1.0, 0.05 * f64::from(k) - 0.5, -0.2]).collect();
+        lights_of(&scene(&text), &rays)
+    };
+    let (all, totals) = of("[1.0, 2.0, 20.0]");
+    assert_eq!((totals.unsettled, totals.undefined), (0, 0), "{totals}");
+    for (k, frequency) in ["[1.0]", "[2.0]", "[20.0]"].iter().enumerate() {
+        for (one, all) in of(frequency).0.iter().zip(&all) {
+            let (one, all) = (one[0].intensity, all[k].intensity);
+            assert!((one - all).abs() < 2e-3 * one + 1e-12, "{frequency}: {one} {all}");
+        }
+    }
+}

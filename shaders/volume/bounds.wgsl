@@ -7,10 +7,10 @@ struct MatterSeen {
     // The least and the greatest values of the smooth functions.
     low: array<Real, SMOOTH_FUNCTIONS>,
     high: array<Real, SMOOTH_FUNCTIONS>,
-    // The range of the frequency to the matter; 0 if there is none.
-    frequency: Real2,
-    // The largest emission and absorption of each coefficient.
-    most: array<Real2, COEFFICIENTS>,
+    // The range of s; 0 if there is no matter.
+    shift: Real2,
+    // The largest emission and absorption of each kind of light: of a frequency, or of a color.
+    most: array<Real2, LIGHTS_SEEN>,
 }
 
 // The points of the current piece.
@@ -47,7 +47,7 @@ fn begin_points() {
                 see_value(v, i, seen_before[v].low[i]);
             }
         }
-        seen[v].most = array<Real2, COEFFICIENTS>();
+        seen[v].most = array<Real2, LIGHTS_SEEN>();
     }
 }
 
@@ -62,9 +62,9 @@ fn see_point(v: u32) {
     seen[v].points += 1u;
 }
 
-fn see_frequency(v: u32, nu: Real) {
-    let before = seen[v].frequency;
-    seen[v].frequency = Real2(select(min(before.x, nu), nu, before.y == 0.0), max(before.y, nu));
+fn see_shift(v: u32, s: Real) {
+    let before = seen[v].shift;
+    seen[v].shift = Real2(select(min(before.x, s), s, before.y == 0.0), max(before.y, s));
 }
 
 fn see_matter(v: u32, c: u32, matter: Real2) {
@@ -78,14 +78,14 @@ fn seen_range(v: u32, i: u32) -> Real2 {
     return interval_bounded(Real2(seen[v].low[i] - margin, seen[v].high[i] + margin));
 }
 
-// Returns the range of the frequency to the matter, which is unknown if there is none at the points.
-fn seen_frequencies(v: u32) -> Real2 {
-    let nu = seen[v].frequency;
-    let margin = SEEN_MARGIN * (nu.y - nu.x);
-    return select(Real2(max(nu.x - margin, 0.5 * nu.x), nu.y + margin), Real2(1e-9, 1e9), nu.y == 0.0);
+// Returns the range of s along the piece, which is unknown if there is no matter at the points.
+fn seen_shifts(v: u32) -> Real2 {
+    let s = seen[v].shift;
+    let margin = SEEN_MARGIN * (s.y - s.x);
+    return select(Real2(max(s.x - margin, 0.5 * s.x), s.y + margin), Real2(1e-9, 1e9), s.y == 0.0);
 }
 
-// Returns `true` if a piece may hide light of a channel, of whose coefficient `most` is the largest possible emission and absorption.
+// Returns `true` if a piece may hide light of a channel, whose largest possible emission and absorption is `most`; `c` is its kind of light.
 fn hides_light(v: u32, c: u32, k: u32, most: Real2, piece: TransferPiece, size: Real) -> bool {
     let at = seen[v].most[c];
     let allowed = transfer_allowed * light_that_counts(k, piece.added);

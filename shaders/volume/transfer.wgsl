@@ -197,7 +197,7 @@ fn transfer_part(step: Stretch, within: u32, start: Real, end: Real, sizes: Real
             }
             a = select(a + own, end, is_last);
         }
-        let easy = is_tired || 16.0 * piece.error < allowed;
+        let easy = is_tired || (agrees && 16.0 * piece.error < allowed);
         pieces += select(0u, 1u, is_final && !easy);
         var shorter = 0.5 * own;
         if HAS_JUMPS {

@@ -16,7 +16,7 @@ pub enum Judged {
 const PIXEL_OF_LIGHT: f64 = 100.0;
 
 /// The errors of light below which methods are not compared, in 32 and in 64 bits, because the rounding of paths may add as much.
-const FINEST_LIGHT: [f64; 2] = [1e-4, 1e-7];
+const FINEST_LIGHT: [f64; 2] = [3e-5, 3e-8];
 
 impl Judged {
     /// Returns the measure for an image: light, if the image shows nothing else and no angle is required.

@@ -3,9 +3,10 @@
 use std::fmt::Write as _;
 
 use super::features::VolumeFeatures;
+use super::matter_bounds::{Light, matter_bounds};
 use super::names::Names;
 use super::unit::Unit;
-use super::{Features, formula, generated, matter_bounds, volumes};
+use super::{Features, formula, generated, volumes};
 use crate::model::volume::{Radiation, Show};
 use crate::model::{Absorption, Wgsl};
 use crate::scene::Scene;
@@ -65,7 +66,8 @@ fn matter(scene: &Scene, features: &Features) -> Unit {
     }
     if features.volumes.bounds_matter {
         let VolumeFeatures { bounds_media, is_spectral, .. } = features.volumes;
-        text += &matter_bounds::matter_bounds(scene, bounds_media, frequencies, is_spectral);
+        let light = Light { frequencies: volumes::frequencies(scene, features), is_spectral };
+        text += &matter_bounds(scene, bounds_media, &light);
     }
     text += "\nfn matter_of(spot: Spot, within: u32) -> Matter {\n    var matter: Matter;\n";
     for v in 0..scene.volumes.len() {

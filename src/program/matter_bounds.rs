@@ -48,9 +48,14 @@ impl<'a> Bounded<'a> {
         })
     }
 
-    /// Returns the coefficients: three in media, whose absorption has a color.
-    fn coefficients(&self) -> usize {
-        if self.medium.is_some() { 3 } else { self.formulas.coefficients.len() }
+    /// Returns the kinds of light: the colors of media, frequencies, or the colors of coefficients. Of powers of the frequency, only the
+    /// factor is compared.
+    fn lights(&self, light: &Light) -> usize {
+        match self.formulas.exponents() {
+            _ if self.medium.is_some() => 3,
+            None if light.is_spectral => light.frequencies.len(),
+            _ => self.formulas.coefficients.len(),
+        }
     }
 
     /// Generates the record of the values at a point from which the bounds along a piece follow.
@@ -102,7 +107,7 @@ impl<'a> Bounded<'a> {
     }
 
     /// Generates the test whether the piece hides some of this matter.
-    fn hides(&self, channels: usize, is_spectral: bool) -> String {
+    fn hides(&self, light: &Light) -> String {
         let (name, slot, formulas) = (&self.name, self.slot, self.formulas);
         let count = bounds(formulas).leaves.len();
         let ranges: Vec<_> = (0..count).map(|k| format!("seen_range({slot}u, {k}u)")).collect();
@@ -111,22 +116,20 @@ impl<'a> Bounded<'a> {
             self.condition,
             ranges.join(", ")
         );
-        // Of powers of the frequency, only the factor is compared.
-        let frequencies = if formulas.exponents().is_some() || self.medium.is_some() {
-            "Real2(1.0)".to_owned()
-        } else {
-            format!("seen_frequencies({slot}u)")
-        };
+        let has_factors = formulas.exponents().is_some() || self.medium.is_some();
         let most = |c: usize| {
+            let nu = light.frequencies[c];
+            let frequencies =
+                if has_factors { "Real2(1.0)".to_owned() } else { format!("{nu:?} * seen_shifts({slot}u)") };
             format!("most_{}_{name}(ranges, density, {frequencies})", c.min(formulas.coefficients.len() - 1))
         };
         // Light of given frequencies has the mean of a medium's colors.
-        let is_mean = self.medium.is_some() && is_spectral;
-        let coefficients = if is_mean { 1 } else { self.coefficients() };
-        for c in 0..coefficients {
+        let is_mean = self.medium.is_some() && light.is_spectral;
+        let lights = if is_mean { 1 } else { self.lights(light) };
+        for c in 0..lights {
             let value = if is_mean { format!("({} + {} + {}) / 3.0", most(0), most(1), most(2)) } else { most(c) };
             let _ = writeln!(text, "        let most_{c} = {value};");
-            let all = if coefficients == 1 { 0..channels } else { c..c + 1 };
+            let all = if lights == 1 { 0..light.frequencies.len() } else { c..c + 1 };
             for k in all {
                 let _ =
                     writeln!(text, "        hides = hides_light({slot}u, {c}u, {k}u, most_{c}, piece, size) || hides;");
@@ -134,6 +137,14 @@ impl<'a> Bounded<'a> {
         }
         text + "    }\n"
     }
+}
+
+/// The light whose matter is bounded.
+pub(super) struct Light {
+    /// The frequency of each channel, in units of ν₀.
+    pub frequencies: Vec<f64>,
+    /// Channels are frequencies instead of colors.
+    pub is_spectral: bool,
 }
 
 /// Returns the bounds of the density, emission and absorption.
@@ -147,16 +158,16 @@ fn most(formulas: &VolumeFormulas, id: Id, range: &str) -> String {
 }
 
 /// Generates the bounds of all matter: the records of points, and the test whether a piece of a path may hide matter.
-pub(super) fn matter_bounds(scene: &Scene, bounds_media: bool, channels: usize, is_spectral: bool) -> String {
+pub(super) fn matter_bounds(scene: &Scene, bounds_media: bool, light: &Light) -> String {
     let volumes: Vec<_> = Bounded::of_volumes(scene).collect();
     let media: Vec<_> = Bounded::of_media(scene).filter(|_| bounds_media).collect();
     let all = || volumes.iter().chain(&media);
     let slots = scene.volumes.len() + usize::from(bounds_media);
     let functions = all().map(|own| bounds(own.formulas).leaves.len()).max().unwrap_or(0);
-    let coefficients = all().map(Bounded::coefficients).max().unwrap_or(1);
+    let lights = all().map(|own| own.lights(light)).max().unwrap_or(1);
     let mut text = format!(
         "const MATTER_SLOTS: u32 = {slots}u;\nconst MEDIUM_SLOT: u32 = {}u;\nconst SMOOTH_FUNCTIONS: u32 = {functions}u;\n\
-         const COEFFICIENTS: u32 = {coefficients}u;\n",
+         const LIGHTS_SEEN: u32 = {lights}u;\n",
         scene.volumes.len()
     );
     let mut end =
@@ -167,7 +178,7 @@ pub(super) fn matter_bounds(scene: &Scene, bounds_media: bool, channels: usize, 
     for own in all() {
         text += &own.recorded();
         text += &own.ranges();
-        hides += &own.hides(channels, is_spectral);
+        hides += &own.hides(light);
     }
     for Bounded { name, condition, .. } in &volumes {
         let _ = writeln!(

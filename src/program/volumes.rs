@@ -150,6 +150,9 @@ fn added(v: usize, volume: &Volume, scene: &Scene, features: &Features) -> Strin
     text += "    let rate = spot.pace / (s * s * spot.index);\n    let dimming = spot.pace * s;\n";
     let radiation = scene.radiation.as_ref();
     let factors = radiation.and_then(|_| formulas.exponents());
+    if is_bounded && factors.is_none() {
+        let _ = writeln!(text, "    see_shift({v}u, s);");
+    }
     if let Some([emission, absorption]) = factors {
         let _ = writeln!(text, "    let one = volume_matter_0_{v}(p, n, 1.0);");
         if is_bounded {
@@ -180,10 +183,8 @@ fn added(v: usize, volume: &Volume, scene: &Scene, features: &Features) -> Strin
                     Some(_) => format!("volume_temperature_{v}(p) * c{k}.y"),
                     None => format!("c{k}.x"),
                 };
-                let _ = writeln!(
-                    text,
-                    "    see_frequency({v}u, {nu:?} * s);\n    see_matter({v}u, {which}u, Real2({emission}, c{k}.y));"
-                );
+                let seen = if features.volumes.is_spectral { k } else { which };
+                let _ = writeln!(text, "    see_matter({v}u, {seen}u, Real2({emission}, c{k}.y));");
             }
             let emission = match formulas.temperature {
                 Some(_) if radiation.is_none() => format!("rate * c{k}.y * shown[{k}]"),
