@@ -54,6 +54,7 @@ mod shaders;
 mod shifts;
 mod sky_light;
 mod spacetimes;
+mod stars;
 mod steps;
 mod structure;
 mod thin_volumes;

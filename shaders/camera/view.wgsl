@@ -20,6 +20,17 @@ fn ray_of_eye(pixel: vec2u, size: vec2u, corner: vec2u, right: bool) -> CameraRa
     return eye_ray(camera_ray(image_plane(sample_point(pixel) - vec2f(corner), size)), right);
 }
 
+// Returns the index of the view that a pixel belongs to.
+fn view_of(pixel: vec2u) -> u32 {
+    if SIDE_BY_SIDE {
+        return u32(pixel.x >= frame.image.x / 2u);
+    }
+    if TOP_BOTTOM {
+        return u32(pixel.y >= frame.image.y / 2u);
+    }
+    return 0u;
+}
+
 // Returns `true` if all corners of a pixel are in the same view.
 fn corners_shared(pixel: vec2u) -> bool {
     if SIDE_BY_SIDE {

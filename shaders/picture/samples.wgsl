@@ -36,6 +36,9 @@ fn sum_begins() -> bool {
 
 // The last column and row exist only for their corners.
 fn sample_wanted(pixel: vec2u) -> bool {
+    if HAS_STARS {
+        return frame.sample >= CORNERS || IS_ONE_SAMPLE || inside_margin(pixel);
+    }
     if !KEEPS_FOOTPRINTS {
         return true;
     }

@@ -44,6 +44,9 @@ fn shade_ray(pixel: vec2u, ray: Ray, end: Hit) {
             light = beamed(light);
         }
     }
+    if HAS_STARS {
+        note_star_grid(pixel, code, seen.end);
+    }
     if SEES_GLOW {
         gather(light, seen.end.x);
         light = carried.gathered;

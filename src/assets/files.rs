@@ -10,7 +10,7 @@ use glam::DAffine3;
 
 use super::GridUse;
 use super::mesh::{Opened, Reading};
-use super::{Capacity, Mesh, MeshPart, MeshRequest, MeshSource, Picture, Profile, SampledGrid};
+use super::{Capacity, Catalog, Mesh, MeshPart, MeshRequest, MeshSource, Picture, Profile, SampledGrid};
 use crate::document::Node;
 use crate::document::reader::Reader;
 use crate::document::values::text;
@@ -49,6 +49,7 @@ pub struct Files {
     /// The file of the last mesh; objects often use its parts one after the other.
     opened: Option<(PathBuf, Opened)>,
     profile_of: HashMap<PathBuf, Option<Arc<Profile>>>,
+    catalog_of: HashMap<PathBuf, Option<Arc<Catalog>>>,
     text_of: HashMap<PathBuf, Option<Arc<str>>>,
     grid_of: HashMap<PathBuf, (GridUse, Arc<SampledGrid>)>,
 }
@@ -113,8 +114,9 @@ impl Files {
         let pictures = self.picture_of.values().flatten().map(Picture::bytes);
         let meshes = self.meshes_of.values().flat_map(|file| file.read.values()).map(|mesh| mesh.bytes());
         let grids = self.grid_of.values().map(|(_, grid)| grid.bytes());
+        let catalogs = self.catalog_of.values().flatten().map(|catalog| catalog.bytes());
         let limit = self.limit.unwrap_or(u64::MAX);
-        Room { limit, left: limit.saturating_sub(pictures.chain(meshes).chain(grids).sum()) }
+        Room { limit, left: limit.saturating_sub(pictures.chain(meshes).chain(grids).chain(catalogs).sum()) }
     }
 
     /// Continues with another scene: files that failed before are tried again.
@@ -128,6 +130,7 @@ impl Files {
         });
         self.opened = None;
         self.profile_of.retain(|_, loaded| loaded.is_some());
+        self.catalog_of.retain(|_, loaded| loaded.is_some());
         self.text_of.retain(|_, loaded| loaded.is_some());
     }
 
@@ -135,6 +138,7 @@ impl Files {
     #[must_use]
     pub fn paths(&self) -> Vec<PathBuf> {
         let pictures = self.picture_of.keys().chain(self.meshes_of.keys()).chain(self.profile_of.keys());
+        let pictures = pictures.chain(self.catalog_of.keys());
         let mut all: Vec<PathBuf> =
             pictures.chain(self.text_of.keys()).chain(self.grid_of.keys()).chain(&self.others).cloned().collect();
         all.sort();
@@ -257,6 +261,17 @@ impl Files {
         let (path, identity) = find(reader, node)?;
         let load = || accept(reader, node, Profile::load(&path)).map(Arc::new);
         self.profile_of.entry(identity).or_insert_with(load).clone()
+    }
+
+    /// Returns the star catalog that a node names.
+    pub fn catalog(&mut self, reader: &Reader, node: &Node) -> Option<Arc<Catalog>> {
+        let (path, identity) = find(reader, node)?;
+        let (room, _stage) = (self.room(), self.reading(&path));
+        let load = || {
+            let load = || Catalog::load(&path);
+            accept(reader, node, room.load(&path, length(&path), load, Catalog::bytes)).map(Arc::new)
+        };
+        self.catalog_of.entry(identity).or_insert_with(load).clone()
     }
 
     /// Returns the grid that a node names, used as `used` specifies.

@@ -2,6 +2,7 @@
 //!
 //! *Practice.* [`Files`] loads each file once, however often scenes name it.
 
+mod catalog;
 mod expression;
 mod files;
 mod format_error;
@@ -13,6 +14,7 @@ mod profile;
 mod transform;
 mod winding;
 
+pub use catalog::{Catalog, Star};
 pub use expression::{
     Coefficients, Curve, Emissivity, FanRay, Field, Formula, FormulaError, Function, Graph, Id, Interval, LineElement,
     MOST_GRIDS, Node, Spacetime, Spot, Variable, VolumeField, VolumeFormulas, VolumeTexts,

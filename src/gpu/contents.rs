@@ -10,6 +10,7 @@ use wgpu::{Buffer, BufferUsages, Texture};
 
 use super::records::pack;
 use super::source::Uploads;
+use super::star_buckets::sorted_stars;
 use super::textures::upload_picture;
 use super::uniforms::schedule_values;
 use super::{Geometry, Gpu, GpuError, LightGridData};
@@ -41,7 +42,8 @@ impl SceneBuffers {
         segments: u32,
         (before, mut stored): (Option<&Self>, Option<&mut Stored>),
     ) -> Result<Self, GpuError> {
-        let mut source = Uploads { scene, geometry, program, fields, segments, kinds: Vec::new() };
+        let mut source =
+            Uploads { scene, geometry, program, fields, segments, stars: sorted_stars(scene), kinds: Vec::new() };
         source.kinds = [source.of_kinds(), source.uniforms()].concat();
         let mut made = Self { buffers: BTreeMap::new(), pictures: BTreeMap::new() };
         let stage = gpu.progress.measured("uploading the scene", program.bindings().count() as f64);

@@ -53,6 +53,7 @@ impl Uploads<'_> {
         let hues = self.program.features.shifts_hues;
         let is_black = |volume: &Volume| scene.radiation.is_none() && volume.formulas.temperature.is_some();
         if hues
+            || self.program.features.has_stars
             || scene.volumes.iter().any(is_black)
             || scene.used_materials().any(|material| material.surface.facts().has_temperature)
         {
@@ -171,6 +172,7 @@ impl Uploads<'_> {
                 let values = self.fields.iter().flat_map(|field| &field.field);
                 Ok(Some(values.flat_map(|value| bytemuck::cast::<_, [u8; 16]>(value.to_array())).collect()))
             }
+            "star_skies" | "star_list" | "star_buckets" | "star_means" => self.stars(name, layout),
             _ => self.lights(name, layout),
         }
     }

@@ -113,6 +113,9 @@ pub const SECTION: u64 = 256;
 /// The number of sections for the frames of samples in flight.
 pub const FRAMES: u64 = 64;
 
+/// The size of the arguments of a dispatch before its list, in bytes.
+pub const WORK_HEAD: u64 = 16;
+
 /// The numbers of sections of the buffers of which each dispatch sees one section.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Sections {
@@ -122,6 +125,8 @@ pub struct Sections {
     pub active: u64,
     /// The number of arguments for each list of open pixels.
     pub open: u64,
+    /// The number of pixels for each cell with starlight: there is room for this fraction of them.
+    pub star_cells: u64,
 }
 
 impl Sections {

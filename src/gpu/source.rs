@@ -1,5 +1,6 @@
 //! Collects the inputs for the values of a scene's bindings.
 
+use super::star_buckets::SortedStars;
 use super::{Geometry, LightGridData};
 use crate::model::Binding;
 use crate::program::Program;
@@ -14,6 +15,8 @@ pub(super) struct Uploads<'a> {
     pub(super) fields: &'a [LightGridData],
     /// K, the number of segments of one fused pass.
     pub(super) segments: u32,
+    /// The stars of both skies, in buckets.
+    pub(super) stars: Vec<Option<SortedStars>>,
     /// The bindings of the scene's kinds.
     pub(super) kinds: Vec<Binding>,
 }

@@ -10,7 +10,7 @@ use wgpu::{
 };
 
 use super::pipeline::texture_format;
-use super::slots::{FRAMES, List, PixelListKind, SECTION, Sections, Selection};
+use super::slots::{FRAMES, List, PixelListKind, SECTION, Sections, Selection, WORK_HEAD};
 use super::{Gpu, GpuError, Pipeline, SceneBuffers};
 use crate::program::{Access, Binding, BindingKind, Pass, Program, Role, Slot, constant};
 
@@ -78,9 +78,10 @@ fn per_pixel(program: &Program) -> Vec<PerPixel> {
     for Binding { kind, role, .. } in program.bindings() {
         let storage = match (kind, role) {
             (BindingKind::StorageTexture(format), _) => texture_format(*format).map(Storage::Texture),
-            (BindingKind::Storage { layout, read_only: false }, Role::State(..) | Role::Pixels | Role::Moments) => {
-                Some(Storage::Buffer(layout.span))
-            }
+            (
+                BindingKind::Storage { layout, read_only: false },
+                Role::State(..) | Role::Pixels | Role::Moments | Role::SkyRays | Role::StarSlots | Role::StarCells,
+            ) => Some(Storage::Buffer(layout.span)),
             (BindingKind::Storage { layout, read_only: false }, Role::PathEnds) => {
                 Some(Storage::Buffer(constant("state/ends", "END_VALUES") as u32 * layout.span))
             }
@@ -151,7 +152,11 @@ impl Tile {
                     let texture = texture(gpu, &role.to_string(), size, format);
                     tile.textures.insert(role, texture);
                 }
-                Storage::Buffer(bytes) => tile.add_storage(gpu, &role, u64::from(bytes) * pixels)?,
+                Storage::Buffer(bytes) => {
+                    // The cells with starlight are usually few.
+                    let share = if role == Role::StarCells { sections.star_cells } else { 1 };
+                    tile.add_storage(gpu, &role, u64::from(bytes) * pixels.div_ceil(share))?;
+                }
             }
         }
         for list in lists(program) {
@@ -172,6 +177,12 @@ impl Tile {
         tile.add_storage(gpu, &Role::Tally, 128)?;
         if program.passes.iter().any(|(pass, ..)| *pass == Pass::Refine) {
             tile.add_storage(gpu, &Role::Refined, 8)?;
+        }
+        if program.features.has_stars {
+            tile.add_storage(gpu, &Role::StarCounts, 16)?;
+            let usage = BufferUsages::STORAGE | BufferUsages::INDIRECT;
+            let work = buffer(gpu, "star_work", WORK_HEAD + 4 * pixels, usage)?;
+            tile.buffers.insert(Role::StarWork(Access::Read), work);
         }
         Ok(tile)
     }
@@ -267,6 +278,7 @@ impl Tile {
             Role::State(part, slot) => own(&Role::State(*part, Slot::Fixed(selection.slots.number(*slot)))),
             Role::List(access) => self.lists.get(&selection.list(*access)).map(Bound::Buffer),
             Role::Arguments(access) => self.arguments(selection.list(*access)).map(Bound::Buffer),
+            Role::StarWork(_) => own(&Role::StarWork(Access::Read)),
             role => own(role),
         }
     }

@@ -34,6 +34,16 @@ pub enum Role {
     Tally,
     /// The number of pixels that need more samples.
     Refined,
+    /// The grid of rays on which stars are found.
+    SkyRays,
+    /// The cells of that grid that have starlight, behind the arguments of a dispatch over them.
+    StarWork(Access),
+    /// The number of each cell among these.
+    StarSlots,
+    /// The light of these cells.
+    StarCells,
+    /// The numbers of images of stars.
+    StarCounts,
     /// The end states of traced rays.
     Records,
     /// The ends of an image's paths.
@@ -108,7 +118,7 @@ pub enum Access {
 }
 
 /// The renderer's bindings.
-const ROLES: [(&str, Role); 20] = [
+const ROLES: [(&str, Role); 26] = [
     ("pixels", Role::Pixels),
     ("moments", Role::Moments),
     ("list_in", Role::List(Access::Read)),
@@ -119,6 +129,12 @@ const ROLES: [(&str, Role); 20] = [
     ("frame", Role::Frame),
     ("tally", Role::Tally),
     ("refined", Role::Refined),
+    ("sky_rays", Role::SkyRays),
+    ("star_work_in", Role::StarWork(Access::Read)),
+    ("star_work_out", Role::StarWork(Access::Write)),
+    ("star_slots", Role::StarSlots),
+    ("star_cells", Role::StarCells),
+    ("star_counts", Role::StarCounts),
     ("records", Role::Records),
     ("stored_ends", Role::PathEnds),
     ("given", Role::Given),

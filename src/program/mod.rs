@@ -58,7 +58,7 @@ mod volumes;
 
 pub use analysis::Analysis;
 pub use error::ProgramError;
-pub use features::Features;
+pub use features::{Features, Margin};
 pub use options::{Mode, Pass, PathEnds, ProgramOptions, RaySkipping, Schedule};
 
 pub use generated::{all_shots, solid_code, solid_codes};

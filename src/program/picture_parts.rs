@@ -52,6 +52,7 @@ pub(super) fn picture_parts(scene: &Scene, features: &Features, names: &mut Name
         return Ok(());
     }
     names.when(features.keeps_orders, &["picture/orders_kept"]);
+    names.when(features.has_stars, &STARS);
     names.when(features.layers.contains(&Layer::Depth), &["picture/path_length"]);
     let layers = features
         .layers
@@ -61,6 +62,17 @@ pub(super) fn picture_parts(scene: &Scene, features: &Features, names: &mut Name
     names.make(generated::layers(&layers.collect::<Vec<_>>()));
     Ok(())
 }
+
+/// The modules for stars.
+const STARS: [&str; 7] = [
+    "picture/stars/ray",
+    "picture/stars/patch",
+    "picture/stars/buckets",
+    "picture/stars/search",
+    "picture/stars/light",
+    "picture/stars/cell",
+    "picture/stars/work",
+];
 
 /// Adds the modules for the light of the sky.
 fn sky_parts(scene: &Scene, names: &mut Names) -> Result<(), ProgramError> {

@@ -16,7 +16,7 @@ const BEGINNING: &str =
     "camera.position = [0, 0, 9]\nrays.bounding_sphere.radius = 90\nmaterials.m.diffuse = [0.5, 0.5, 0.5]\n";
 
 /// Scenes, each with modules that no scene before it links.
-const OTHERS: [&str; 15] = [
+const OTHERS: [&str; 16] = [
     "camera.kind = 'panorama'
      camera.stereo = { separation = 0.1, convergence = 3 }",
     "camera.stereo = { separation = 0.1, convergence = 3 }
@@ -42,6 +42,10 @@ const OTHERS: [&str; 15] = [
      rays.method = 'bogacki-shampine'",
     "law.kind = 'reissner-nordstrom'
      rays.method = 'planar'",
+    "image.samples = 2
+     law.kind = 'schwarzschild'
+     rays.method = 'planar'
+     sky.stars = 'data/stars.csv'",
     "law.kind = 'kerr-newman'
      law.spin = 0.5
      rays.method = 'separated'",

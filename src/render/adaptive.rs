@@ -40,7 +40,13 @@ impl Renderer<'_> {
     ) -> Result<(), RenderError> {
         let image = &self.prepared.scene.image;
         let first = constant("pass/refine", "FIRST_SAMPLES") as u32;
-        let at = |number: u32, refines: Refines| Sample { origin, image: image.size, number, refines: Some(refines) };
+        let at = |number: u32, refines: Refines| Sample {
+            origin,
+            image: image.size,
+            number,
+            is_grid: false,
+            refines: Some(refines),
+        };
         let pixels = tile.size.map(u64::from).iter().product::<u64>();
         // Progress assumes that all open pixels take the maximum number of samples, because nothing more is known.
         let tell = |taken: u64, open: u64, sample: u32, done: f64| {

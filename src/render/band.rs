@@ -3,7 +3,7 @@
 use rayon::prelude::*;
 
 use super::{RenderError, Totals};
-use crate::program::{CROSSINGS, Layer, LayerKind};
+use crate::program::{CROSSINGS, Layer, LayerKind, Margin};
 
 /// Returns the bits of a component of a pixel.
 pub(super) type Words<'w> = dyn Fn(usize, usize) -> u32 + Sync + 'w;
@@ -72,7 +72,7 @@ pub(super) struct TilePlace {
     pub left: u32,
     /// The width of the tile with its margin, in pixels.
     pub width: u32,
-    pub margin: u32,
+    pub margin: Margin,
 }
 
 impl TilePlace {
@@ -84,7 +84,7 @@ impl TilePlace {
         width: u32,
         values: impl Fn(usize) -> [T; N] + Sync,
     ) {
-        let own = self.left as usize..(self.left + self.width - self.margin) as usize;
+        let own = self.left as usize..(self.left + self.width - self.margin.total()) as usize;
         let mut rows = planes.map(|plane| plane.chunks_mut(width as usize));
         let rows: Vec<[&mut [T]; N]> = std::iter::from_fn(|| {
             let row = rows.each_mut().map(Iterator::next);
@@ -92,7 +92,8 @@ impl TilePlace {
         })
         .collect();
         rows.into_par_iter().enumerate().for_each(|(y, mut row)| {
-            for (x, pixel) in own.clone().zip(y * self.width as usize..) {
+            let before = self.margin.before as usize;
+            for (x, pixel) in own.clone().zip((y + before) * self.width as usize + before..) {
                 for (plane, value) in row.iter_mut().zip(values(pixel)) {
                     plane[x] = value;
                 }

@@ -37,7 +37,14 @@ impl Stage {
             Pass::Setup => Self::Setup,
             Pass::Intersect if apart => Self::Intersect,
             Pass::Scatter if apart => Self::Scatter,
-            Pass::Shade | Pass::Reshade | Pass::Record | Pass::Refine => Self::Shade,
+            Pass::Shade
+            | Pass::Reshade
+            | Pass::Record
+            | Pass::Refine
+            | Pass::FindStars
+            | Pass::LightStars
+            | Pass::GatherStars
+            | Pass::AddStars => Self::Shade,
             _ => Self::Advance,
         }
     }

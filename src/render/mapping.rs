@@ -32,7 +32,7 @@ impl Renderer<'_> {
         let (mut totals, mut layers) = (Totals::default(), Bands::default());
         let stage = self.prepared.gpu.progress.measured("tracing the map", f64::from(size[1]));
         let [width, height] = self.tile_size()?;
-        let margin = self.prepared.program.features.margin();
+        let margin = self.prepared.program.features.margin().total();
         for top in (0..size[1]).step_by(height as usize) {
             let rows = height.min(size[1] - top);
             let mut band = self.band(top, rows);
@@ -61,7 +61,7 @@ impl Renderer<'_> {
         let image = prepared.scene.image.size;
         prepared.run_sample(tile, Sample::corners(part.origin, image), clock, &|_| {})?;
         for number in 0..prepared.scene.image.samples {
-            let sample = Sample { origin: part.origin, image, number, refines: None };
+            let sample = Sample { origin: part.origin, image, number, is_grid: false, refines: None };
             for round in 0..prepared.program.features.rounds {
                 prepared.run_round(tile, sample, round, clock)?;
                 let records = Records::take(prepared.gpu, &prepared.program, tile, &Role::PathEnds)?;
@@ -113,7 +113,7 @@ impl Renderer<'_> {
                 let offset = size_of::<u32>() * value * width * height;
                 tile.write(prepared.gpu, &Role::PathEnds, offset as u64, bytemuck::cast_slice(bits));
             }
-            let sample = Sample { origin: part.origin, image, number: round.sample, refines: None };
+            let sample = Sample { origin: part.origin, image, number: round.sample, is_grid: false, refines: None };
             prepared.run_round(tile, sample, round.branch, clock)?;
         }
         Ok(())

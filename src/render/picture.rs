@@ -146,7 +146,7 @@ impl Renderer<'_> {
         let mut band = self.band(first_row, tile_rows);
         for left in (0..width).step_by(tile_width as usize) {
             let size = [tile_width.min(width - left), tile_rows];
-            let made = self.prepared.tile_after(tile.take(), size.map(|side| side + margin))?;
+            let made = self.prepared.tile_after(tile.take(), size.map(|side| side + margin.total()))?;
             let made = &*tile.insert(made);
             let [all, done, own] =
                 [[width, height], [width, first_row], size].map(|[x, y]| f64::from(x) * f64::from(y));
@@ -174,9 +174,26 @@ impl Renderer<'_> {
 
     /// Returns the number of rays of a tile in a round of samples.
     fn rays_of(&self, size: [u32; 2], round: &Round) -> u64 {
+        let features = &self.prepared.program.features;
         let count = |margin: u32| size.map(|side| u64::from(side + margin)).iter().product::<u64>();
-        let corners = if self.prepared.program.features.keeps_footprints { count(1) } else { 0 };
-        u64::from(round.until - round.begins()) * count(0) + corners
+        let margin = features.margin().total();
+        let corners = if features.keeps_footprints { count(margin) } else { 0 };
+        let samples = u64::from(round.until - round.begins());
+        let own = match (features.has_stars, features.is_one_sample) {
+            (true, true) => count(margin),
+            (true, false) => samples * count(0) + self.star_grids(round).count() as u64 * count(margin),
+            (false, _) => samples * count(0),
+        };
+        own + corners
+    }
+
+    /// Returns the samples of a round before which stars are found on a grid of separate rays: the first, or all if they show different
+    /// moments.
+    fn star_grids(&self, round: &Round) -> impl Iterator<Item = u32> + Clone {
+        let features = &self.prepared.program.features;
+        let has_grids = features.has_stars && !features.is_one_sample;
+        let (first, changes) = (round.begins(), self.prepared.moments.len() > 1);
+        (first..round.until).filter(move |number| has_grids && (changes || *number == first))
     }
 
     /// Renders the whole image into memory. [`Renderer::new`] has an example; [`render_bands`](Self::render_bands) needs less memory.
@@ -213,8 +230,8 @@ impl Renderer<'_> {
         let rays = self.prepared.scene.image.adaptive.is_none().then(|| size.map(u64::from).into_iter().product());
         loop {
             let (mut totals, mut clock) = (Totals::default(), Clock::new(self.prepared.gpu, false));
-            let tile = self.prepared.tile(size.map(|side| side + margin))?;
-            self.prepared.run_sample(&tile, Sample::first(size), &mut clock, &|_| {})?;
+            let tile = self.prepared.tile(size.map(|side| side + margin.total()))?;
+            self.prepared.run_sample(&tile, Sample::first(size).before(margin.before), &mut clock, &|_| {})?;
             let unfinished = self.prepared.add_tally(&tile, &mut totals, rays)?;
             if unfinished && self.prepared.is_whole() {
                 return Ok(None);
@@ -248,7 +265,9 @@ impl Renderer<'_> {
         totals: &mut Totals,
     ) -> Result<(), RenderError> {
         let window = self.window();
-        let origin = [0, 1].map(|k| window.origin[k] + part.origin[k]);
+        // Positions to the left of the image and above it wrap around, as in the passes.
+        let before = self.prepared.program.features.margin().before;
+        let origin = [0, 1].map(|k| (window.origin[k] + part.origin[k]).wrapping_sub(before));
         if let Some(sums) = &mut totals.adaptive {
             return self.sample_adaptively(tile, origin, clock, progress, sums);
         }
@@ -260,11 +279,15 @@ impl Renderer<'_> {
             self.prepared.run_sample(tile, Sample::corners(origin, self.prepared.scene.image.size), clock, &|_| {})?;
         }
         if let Some(earlier) = round.earlier {
-            earlier.put(self.prepared.gpu, &self.prepared.program, tile, part)?;
+            earlier.put(self.prepared.gpu, &self.prepared.program, tile, part, before)?;
         }
         let image = self.prepared.scene.image.size;
-        let samples = (first..round.until).map(|number| Sample { origin, image, number, refines: None });
-        self.prepared.run_samples(tile, samples, clock, progress)?;
+        let grids: Vec<u32> = self.star_grids(round).collect();
+        let samples = (first..round.until).flat_map(|number| {
+            let sample = Sample { origin, image, number, is_grid: false, refines: None };
+            grids.contains(&number).then(|| sample.centers()).into_iter().chain([sample])
+        });
+        self.prepared.run_samples(tile, samples.collect::<Vec<_>>().into_iter(), clock, progress)?;
         Ok(())
     }
 }

@@ -26,7 +26,12 @@ impl Plan {
     /// Returns the numbers of sections that the divided buffers need.
     pub(super) fn sections(&self) -> Sections {
         let Batch { rounds, active } = self.batch;
-        Sections { parameters: self.parameters.len() as u64, active: rounds * active, open: self.batch.open() }
+        Sections {
+            parameters: self.parameters.len() as u64,
+            active: rounds * active,
+            open: self.batch.open(),
+            star_cells: 1,
+        }
     }
 
     /// Returns the section with a step's parameters.

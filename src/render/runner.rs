@@ -18,7 +18,7 @@ use super::live_rays::{Count, LiveRays};
 use super::prepared::Prepared;
 use super::sample::Sample;
 use super::step::{Dispatch, Step};
-use crate::gpu::{Division, FRAMES, GpuError, List, PixelListKind, SECTION, Selection, Tile};
+use crate::gpu::{Division, FRAMES, GpuError, List, PixelListKind, SECTION, Selection, Tile, WORK_HEAD};
 use crate::program::{Access, Pass, Role};
 
 /// The maximum number of submissions in flight.
@@ -104,9 +104,18 @@ impl<'r, 'a> Runner<'r, 'a> {
                 self.begin_round(sample, round, clock)?;
             }
             self.record_round(sample, round, clock)?;
+            if sample.is_star_grid(&prepared.program.features) {
+                for pass in Pass::STARS {
+                    self.push(round, Step::of_stars(pass));
+                }
+            }
             if self.live.is_done() {
                 break;
             }
+        }
+        let features = &prepared.program.features;
+        if features.has_stars && !features.is_one_sample && sample.is_of_pixels() {
+            self.push(0, Step::of_stars(Pass::AddStars));
         }
         if let Some(refines) = sample.refines {
             self.begin_round(sample, 0, clock)?;
@@ -176,19 +185,14 @@ impl<'r, 'a> Runner<'r, 'a> {
             drop(encoder.begin_compute_pass(&descriptor));
             clock.settle(&mut encoder);
         }
-        let lists = self.prepared.plan.batch;
-        let batch = |round: u32| u64::from(round) / lists.rounds;
+        let rounds = self.prepared.plan.batch.rounds;
         let key = |Recorded { round, step, .. }: &Recorded| {
-            (batch(*round), Stage::of(step.pass, *round, apart), step.pass == Pass::Refine)
+            let clears = matches!(step.pass, Pass::Refine | Pass::FindStars | Pass::GatherStars);
+            (u64::from(*round) / rounds, Stage::of(step.pass, *round, apart), clears.then_some(step.pass))
         };
         for steps in self.recorded.chunk_by(|a, b| key(a) == key(b)) {
-            let ((batch, stage, refines), Recorded { round, step: first, .. }) = (key(&steps[0]), steps[0]);
-            if let (true, Some(buffer)) = (refines, self.tile.arguments(lists.place(first.written, round).list)) {
-                encoder.clear_buffer(buffer, 0, None);
-            }
-            if first.pass == Pass::Setup && u64::from(round) % lists.rounds == 0 {
-                self.clear_lists(&mut encoder, batch);
-            }
+            let (_, stage, _) = key(&steps[0]);
+            self.clear_before(&steps[0], &mut encoder);
             let timestamp_writes = clock.next(gpu, stage);
             let mut pass = encoder.begin_compute_pass(&ComputePassDescriptor { label: None, timestamp_writes });
             let mut current = None;
@@ -217,6 +221,24 @@ impl<'r, 'a> Runner<'r, 'a> {
         self.under_way.push_back(Submission { index, reached: self.reached, work, begun: Instant::now(), count });
         // The first one shows how large the others may be.
         self.wait(if self.prepared.submission.is_known() { IN_FLIGHT } else { 0 })
+    }
+
+    /// Clears the buffers to which the passes from this step on add.
+    fn clear_before(&self, Recorded { round, step, .. }: &Recorded, encoder: &mut CommandEncoder) {
+        let lists = self.prepared.plan.batch;
+        let (buffer, size) = match step.pass {
+            Pass::Setup if u64::from(*round) % lists.rounds == 0 => {
+                return self.clear_lists(encoder, u64::from(*round) / lists.rounds);
+            }
+            Pass::Refine => (self.tile.arguments(lists.place(step.written, *round).list), None),
+            Pass::FindStars => (self.tile.buffer(&Role::StarWork(Access::Read)), Some(WORK_HEAD)),
+            // A pixel without a path in the next round has no ray on its grid.
+            Pass::GatherStars if self.prepared.program.features.rounds > 1 => (self.tile.buffer(&Role::SkyRays), None),
+            _ => return,
+        };
+        if let Some(buffer) = buffer {
+            encoder.clear_buffer(buffer, 0, size);
+        }
     }
 
     /// Records the copy of the number of rays that a step leaves.
@@ -276,6 +298,12 @@ impl<'r, 'a> Runner<'r, 'a> {
     fn dispatch(&self, pass: &mut ComputePass, step: &Step, round: u32) {
         let indirect = match step.dispatch {
             Dispatch::Grid => false,
+            Dispatch::Stars => {
+                if let Some(work) = self.tile.buffer(&Role::StarWork(Access::Read)) {
+                    pass.dispatch_workgroups_indirect(work, 0);
+                }
+                return;
+            }
             Dispatch::PixelListKind => true,
             Dispatch::ListedLater => round > 0,
         };

@@ -1,7 +1,7 @@
 //! Describes one sample of a tile for its passes.
 
 use crate::model::Value::{self, Uint, Uint2};
-use crate::program::constant;
+use crate::program::{Features, constant};
 
 /// A sample of a part of the image.
 #[derive(Debug, Clone, Copy)]
@@ -12,6 +12,8 @@ pub(super) struct Sample {
     pub image: [u32; 2],
     /// The index of the sample in each pixel.
     pub number: u32,
+    /// `true` for the rays through the centers of pixels, which do not count as a sample.
+    pub is_grid: bool,
     /// The pixels that the sample refines, in an adaptive image.
     pub refines: Option<Refines>,
 }
@@ -30,16 +32,41 @@ impl Refines {
     pub(super) const FIRST: Self = Self { listed: false, list: 1 };
 }
 
+/// Returns the number of the sample of rays through the corners of pixels.
+fn corners() -> u32 {
+    constant("camera/sample/point", "CORNERS") as u32
+}
+
 impl Sample {
     /// Returns the sample of rays through the corners of pixels, which do not count as samples of a pixel.
     pub(super) fn corners(origin: [u32; 2], image: [u32; 2]) -> Self {
-        let number = constant("camera/sample/point", "CORNERS") as u32;
-        Self { origin, image, number, refines: None }
+        Self { origin, image, number: corners(), is_grid: false, refines: None }
+    }
+
+    /// Returns the sample of rays through the centers of pixels on which stars are found, at the moment of the sample `number`. They do not
+    /// count as samples of a pixel.
+    pub(super) fn centers(self) -> Self {
+        Self { is_grid: true, ..self }
+    }
+
+    /// Returns `true` if the sample counts as one of its pixel.
+    pub(super) fn is_of_pixels(&self) -> bool {
+        !self.is_grid && self.number != corners()
+    }
+
+    /// Returns `true` if stars are found between the rays of the sample.
+    pub(super) fn is_star_grid(&self, features: &Features) -> bool {
+        features.has_stars && (self.is_grid || features.is_one_sample && self.is_of_pixels())
     }
 
     /// Returns the first sample of every pixel, in a tile at the origin of the image.
     pub(super) fn first(image: [u32; 2]) -> Self {
-        Self { origin: [0, 0], image, number: 0, refines: None }
+        Self { origin: [0, 0], image, number: 0, is_grid: false, refines: None }
+    }
+
+    /// Returns the sample of a tile with a margin of this many pixels to the left and above.
+    pub(super) fn before(self, margin: u32) -> Self {
+        Self { origin: self.origin.map(|at| at.wrapping_sub(margin)), ..self }
     }
 
     /// Returns the members of `shaders/state/arguments.wgsl` in a round of the sample.
@@ -49,7 +76,10 @@ impl Sample {
             ("origin", Uint2(self.origin)),
             ("size", Uint2(tile)),
             ("image", Uint2(self.image)),
-            ("sample", Uint(self.number)),
+            (
+                "sample",
+                Uint(if self.is_grid { constant("camera/sample/point", "CENTERS") as u32 } else { self.number }),
+            ),
             ("branch", Uint(round.min(1))),
             ("listed", Uint(listed.into())),
             ("zero", Uint(0)),

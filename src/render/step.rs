@@ -20,6 +20,8 @@ pub enum Dispatch {
     PixelListKind,
     /// Every pixel in the first round of a sample, and the pixels of the list in later rounds.
     ListedLater,
+    /// The cells with starlight.
+    Stars,
 }
 
 /// A list of pixels, by its number among the lists of its kind.
@@ -72,6 +74,7 @@ impl fmt::Display for Step {
         let Slots { input, output, .. } = self.slots;
         let over = match self.dispatch {
             Dispatch::Grid => "all pixels".to_owned(),
+            Dispatch::Stars => "cells with starlight".to_owned(),
             Dispatch::PixelListKind => format!("list {}", self.read),
             Dispatch::ListedLater => format!("all pixels, in later rounds list {}", self.read),
         };
@@ -93,6 +96,14 @@ impl Step {
         let (read, written) = (PixelList::Wanted(refines.list), PixelList::Wanted(refines.list + 1));
         let slots = Slots::only(0);
         Self { pass: Pass::Refine, slots, read, written, dispatch, iteration: 0, again: false, first: false, weight: 1 }
+    }
+
+    /// Returns a step for starlight, which uses neither the state of rays nor lists of pixels.
+    pub(super) fn of_stars(pass: Pass) -> Self {
+        let list = PixelList::Active(0);
+        let dispatch = if pass == Pass::LightStars { Dispatch::Stars } else { Dispatch::Grid };
+        let slots = Slots::only(0);
+        Self { pass, slots, read: list, written: list, dispatch, iteration: 0, again: false, first: false, weight: 1 }
     }
 
     /// Returns the step for a round of a sample: it processes the pixels that take the sample, if these are listed.

@@ -28,7 +28,7 @@ impl Prepared<'_> {
 
     /// Returns a tile of this program's state: an earlier one of the same program, if it is like it, or a new one.
     pub(super) fn tile_after(&self, earlier: Option<Tile>, size: [u32; 2]) -> Result<Tile, GpuError> {
-        let sections = self.plan.sections();
+        let sections = Sections { star_cells: self.star_cells, ..self.plan.sections() };
         let tile = match earlier.filter(|earlier| earlier.is_like(size, &sections)) {
             Some(tile) => tile,
             None => self.new_tile(size, &sections)?,
@@ -80,6 +80,16 @@ impl Prepared<'_> {
         rays: Option<u64>,
     ) -> Result<TileEnd, RenderError> {
         let before = totals.clone();
+        if self.program.features.has_stars {
+            let records = Records::take(self.gpu, &self.program, tile, &Role::StarCounts)?;
+            let Some(counts) = records.rows().next() else { return Ok(TileEnd::Done) };
+            if counts.uint("lost") > 0 {
+                self.star_cells = 1;
+                Records::take(self.gpu, &self.program, tile, &Role::Tally)?;
+                return Ok(TileEnd::Again);
+            }
+            totals.stars.get_or_insert_default().add(&counts);
+        }
         if self.add_tally(tile, totals, rays)? && self.make_room()? {
             *totals = before;
             return Ok(TileEnd::Again);

@@ -39,8 +39,7 @@ impl Renderer<'_> {
         let most = if self.prepared.is_whole() { whole } else { u64::MAX };
         let pixels =
             bought.min(most).min(self.prepared.settings.tile_pixels).min(buffer / memory.largest_item()).max(LEAST);
-        // The corners of a tile have one more column and row.
-        let margin = self.prepared.program.features.margin();
+        let margin = self.prepared.program.features.margin().total();
         let columns = u32::try_from(pixels / u64::from(1 + margin)).unwrap_or(u32::MAX);
         let tile_width = width.min(side - margin).min(columns - margin);
         let rows = pixels / u64::from(width + margin);

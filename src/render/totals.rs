@@ -5,7 +5,7 @@ use std::sync::LazyLock;
 use std::time::Duration;
 
 use super::records::Row;
-use super::{FrequencyTotals, Noise};
+use super::{Adaptive, Clamped, FrequencyTotals, Noise, StarImages};
 use crate::program::constant;
 
 /// The termination status of a ray.
@@ -84,41 +84,6 @@ impl Status {
     }
 }
 
-/// The result of adaptive sampling.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Adaptive {
-    /// The number of pixels of the window.
-    pub pixels: u64,
-    /// The number of samples of all pixels together, with the rays through their corners.
-    pub samples: u64,
-    /// The number of pixels that took all allowed samples without reaching the tolerance.
-    pub capped: u64,
-    /// The maximum number of samples of a pixel.
-    pub most: u32,
-    /// The largest acceptable standard error of a mean, in display values.
-    pub tolerance: f64,
-}
-
-impl Adaptive {
-    /// Returns the average number of samples per pixel.
-    #[must_use]
-    pub fn mean(&self) -> f64 {
-        self.samples as f64 / self.pixels as f64
-    }
-}
-
-impl fmt::Display for Adaptive {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self { pixels, capped, most, tolerance, .. } = self;
-        write!(f, "{:.2} samples per pixel, ", self.mean())?;
-        if *capped == 0 {
-            return write!(f, "all pixels within {tolerance}");
-        }
-        let share = 100.0 * *capped as f64 / *pixels as f64;
-        write!(f, "{capped} pixels ({share:.2} %) not within {tolerance} after {most} samples")
-    }
-}
-
 /// The sums over all rays.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Totals {
@@ -155,32 +120,8 @@ pub struct Totals {
     pub noise: Option<Noise>,
     /// The light removed from samples that were too bright, if the scene limits them.
     pub clamped: Option<Clamped>,
-}
-
-/// The light removed from samples that were too bright.
-#[derive(Debug, Clone, Copy, Default, PartialEq)]
-pub struct Clamped {
-    /// The number of these samples.
-    pub samples: u64,
-    /// The removed radiance, summed over all colors and all samples of the image.
-    pub lost: f64,
-    /// The remaining radiance of all samples.
-    pub left: f64,
-}
-
-impl Clamped {
-    /// Returns the removed fraction of all light.
-    #[must_use]
-    pub fn share(&self) -> f64 {
-        let all = self.lost + self.left;
-        if all > 0.0 { self.lost / all } else { 0.0 }
-    }
-}
-
-impl fmt::Display for Clamped {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{} samples clamped, removing {:.2} % of the light", self.samples, 100.0 * self.share())
-    }
+    /// The images of stars, if the sky has stars.
+    pub stars: Option<StarImages>,
 }
 
 /// Returns the count of a status code in a tally, by its name in WGSL.
@@ -312,6 +253,9 @@ impl fmt::Display for Totals {
         }
         if let Some(clamped) = &self.clamped {
             write!(f, "; {clamped}")?;
+        }
+        if let Some(stars) = &self.stars {
+            write!(f, "; {stars}")?;
         }
         Ok(())
     }

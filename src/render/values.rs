@@ -8,7 +8,7 @@ use super::records::Records;
 use super::watch::Round;
 use super::{Clamped, FrequencyTotals, Noise, RenderError, Renderer};
 use crate::gpu::Tile;
-use crate::program::{Layer, Role};
+use crate::program::{Layer, Margin, Role};
 
 /// The stored values of a tile's pixels.
 pub(super) struct Values<'r> {
@@ -20,7 +20,7 @@ pub(super) struct Values<'r> {
     /// The frequencies with a mean redshift, each with its place among the intensities.
     mean_redshifts: Vec<(usize, usize)>,
     size: [u32; 2],
-    margin: u32,
+    margin: Margin,
 }
 
 impl Renderer<'_> {
@@ -52,7 +52,7 @@ impl Values<'_> {
         if let (Some(errors), Some(noise)) = (errors, noise) {
             let mut own = vec![0.0; band.width as usize * band.rows as usize];
             at.put([&mut own], band.width, |pixel| [errors[pixel]]);
-            let columns = at.left..at.left + self.size[0] - at.margin;
+            let columns = at.left..at.left + self.size[0] - at.margin.total();
             for (row, errors) in own.chunks_exact(band.width as usize).enumerate() {
                 for column in columns.clone().map(|column| column as usize) {
                     let at = row * band.width as usize + column;
@@ -144,10 +144,11 @@ impl Values<'_> {
         sums.resize(count, FrequencyTotals::default());
         let weight = 1.0 / f64::from(round.until);
         let number = |bits: u32| f64::from(f32::from_bits(bits)) * weight;
-        let own = self.size.map(|side| (side - self.margin) as usize);
+        let own = self.size.map(|side| (side - self.margin.total()) as usize);
         for (k, sum) in sums.iter_mut().enumerate() {
             for pixel in (0..own[1]).flat_map(|y| (0..own[0]).map(move |x| (y, x))) {
-                let pixel = pixel.0 * self.size[0] as usize + pixel.1;
+                let before = self.margin.before as usize;
+                let pixel = (pixel.0 + before) * self.size[0] as usize + pixel.1 + before;
                 sum.add(self.intensity * number(light(pixel, k)), number(depth(pixel, k)));
             }
         }

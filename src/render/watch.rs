@@ -102,8 +102,15 @@ fn sum_of(mean: f32, samples: f32) -> f32 {
 }
 
 impl EarlierSamples {
-    /// Writes the sums of a part of the window into a tile of that size, and keeps the other values of its pixels.
-    pub(super) fn put(&self, gpu: &Gpu, program: &Program, tile: &Tile, part: Window) -> Result<(), GpuError> {
+    /// Writes the sums of a part of the window into a tile of that size with a margin before it, and keeps the other values of its pixels.
+    pub(super) fn put(
+        &self,
+        gpu: &Gpu,
+        program: &Program,
+        tile: &Tile,
+        part: Window,
+        margin: u32,
+    ) -> Result<(), GpuError> {
         let band = &self.band;
         let pixels = Records::read(gpu, program, tile, &Role::Pixels)?;
         let mut bytes = pixels.bytes().to_vec();
@@ -111,7 +118,10 @@ impl EarlierSamples {
         let mut put = |name: &str, k: usize, value: &dyn Fn(usize) -> f32| {
             for (row, column) in (0..rows).flat_map(|row| (0..columns).map(move |column| (row, column))) {
                 let from = ((top + row) * band.width + left + column) as usize;
-                let Some(at) = pixels.offset((row * tile.size[0] + column) as usize, name, k) else { return };
+                let Some(at) = pixels.offset(((row + margin) * tile.size[0] + column + margin) as usize, name, k)
+                else {
+                    return;
+                };
                 bytes[at..at + 4].copy_from_slice(&value(from).to_ne_bytes());
             }
         };

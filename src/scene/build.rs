@@ -53,6 +53,7 @@ impl Scene {
             rays: Rays::new(radius),
             sky: Sky::Color(DVec3::ZERO),
             sky_other_side: None,
+            stars: [None, None],
             output: Output::default(),
             materials,
             objects,

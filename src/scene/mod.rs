@@ -23,6 +23,7 @@ mod rounding;
 mod shutter;
 mod sky;
 mod sky_cells;
+mod stars;
 mod surfaces;
 mod throat;
 mod vertex_colors;
@@ -31,8 +32,8 @@ mod vertex_colors;
 mod tests;
 
 pub use crate::assets::{
-    Curve, FanRay, Files, Formula, FormulaError, Function, Gltf, Graph, Id, Interval, LineElement, Mesh, Node, Picture,
-    Profile, ProfilePoint, SampledGrid, Transform, Variable, Vertex,
+    Catalog, Curve, FanRay, Files, Formula, FormulaError, Function, Gltf, Graph, Id, Interval, LineElement, Mesh, Node,
+    Picture, Profile, ProfilePoint, SampledGrid, Star, Transform, Variable, Vertex,
 };
 pub use crate::document::{ARCSECOND, Diagnostic, KeyReference, Override, SceneError, Units};
 pub use crate::model::absorption::{Density, NoiseColoring, Texture};
@@ -50,6 +51,7 @@ pub use rays::{Accelerate, Accuracy, Auto, Bound, PathTracing, Precision, Rays, 
 pub use reference::{REFERENCE, TEMPLATES, Template, reference_markdown};
 pub use sky::Sky;
 pub use sky_cells::SkyCells;
+pub use stars::Stars;
 
 use std::sync::Arc;
 
@@ -81,6 +83,8 @@ pub struct Scene {
     pub sky: Sky,
     /// The background on the other side of a wormhole; `None` if both sides have one sky.
     pub sky_other_side: Option<Sky>,
+    /// The stars of the sky and of the sky on the other side of a wormhole.
+    pub stars: [Option<Stars>; 2],
     /// The conversion of radiance to an image file.
     pub output: Output,
     /// The materials in the order of the file; [`Substance::Opaque`] is an index of this list.

@@ -35,6 +35,7 @@ impl Scene {
             .chain(self.rounded_away())
             .chain(self.impossible_matter())
             .chain(self.pictures.iter().flat_map(of_picture))
+            .chain(self.stars.iter().flatten().filter_map(|stars| stars.catalog.warning()))
             .collect()
     }
 

@@ -41,6 +41,12 @@ impl Scene {
         !self.objects.is_empty() && !draws && self.rays.path_tracing.is_none() && self.image.adaptive.is_none()
     }
 
+    /// Returns `true` if some sky has stars.
+    #[must_use]
+    pub fn has_stars(&self) -> bool {
+        self.stars.iter().any(Option::is_some)
+    }
+
     /// Returns `true` if pixel footprints average textures or patterns, and there is something to average.
     #[must_use]
     pub fn has_footprints(&self) -> bool {

@@ -241,6 +241,10 @@ fn keys(value: &Value, found: &mut BTreeSet<String>) {
 const GLOW: &str = "image = { size = [4, 4] }\n[camera]\nposition = [0, 0, 9]\n[rays]\nbounding_sphere = { radius = 20 }\n\
                     [radiation]\nfrequencies = [1]\n[[volumes]]\nshape = \"sphere\"\nemission = 1\n";
 
+/// A sky with one star.
+const STARS: &str = "image = { size = [4, 4] }\n[camera]\nposition = [0, 0, 9]\n[rays]\nbounding_sphere = { radius = 20 }\n\
+                     [sky]\nstars = \"stars.csv\"\n";
+
 /// The manual's page names every key that is printed, and no other key.
 #[test]
 fn every_key_is_in_the_guide_and_no_other() {
@@ -248,6 +252,8 @@ fn every_key_is_in_the_guide_and_no_other() {
     folder.write("grid.toml", GRID);
     folder.write("typo.toml", BALL.replace("sky", "skye"));
     folder.write("glow.toml", GLOW);
+    folder.write("stars.toml", STARS);
+    folder.write("stars.csv", "ra,dec,mag\n0,0,1\n");
     let job = "scene.toml -o {frame}.png --frames all --parts 3";
     let mut printed = BTreeSet::new();
     for line in [
@@ -259,6 +265,7 @@ fn every_key_is_in_the_guide_and_no_other() {
         "render scene.toml -o a.png --set rays.lighting=path-tracing --set output.clamp=1 --samples 2",
         "render scene.toml -o a.png --verify 9",
         "render glow.toml -o a.png",
+        "render stars.toml -o a.png",
         "render scene.toml -o film.gif --frames 0..1",
         "bench compaction scene.toml --size 16x16 --repeats 1",
         &format!("farm slurm {job}"),

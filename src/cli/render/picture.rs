@@ -10,7 +10,8 @@ use crate::cli::format::{CommandResult, shown};
 use crate::cli::share::Target;
 use crate::measure::{Quantiles, Verification};
 use crate::render::{
-    Adaptive, Clamped, FrequencyReport, LightReport, Noise, StartUp, Status, Totals, Window, frequency_reports,
+    Adaptive, Clamped, FrequencyReport, LightReport, Noise, StarImages, StartUp, Status, Totals, Window,
+    frequency_reports,
 };
 use crate::scene::{Rays, Scene};
 
@@ -172,7 +173,7 @@ fn light(report: &LightReport) -> Value {
 
 /// Returns the quality of the image, as far as it is known.
 fn quality(made: &Made) -> Value {
-    let Totals { adaptive, noise, clamped, .. } = &made.totals;
+    let Totals { adaptive, noise, clamped, stars, .. } = &made.totals;
     json!({
         "adaptive": adaptive.as_ref().map(|adaptive: &Adaptive| json!({
             "samples_per_pixel": adaptive.mean(),
@@ -186,6 +187,11 @@ fn quality(made: &Made) -> Value {
         "clamped": clamped.as_ref().map(|clamped: &Clamped| json!({
             "samples": clamped.samples,
             "share_of_light": clamped.share(),
+        })),
+        "stars": stars.as_ref().map(|stars: &StarImages| json!({
+            "images": stars.images,
+            "limited": stars.limited,
+            "averaged": stars.averaged,
         })),
         "verification": made.verification.map(verification),
     })

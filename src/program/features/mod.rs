@@ -9,10 +9,27 @@ mod volumes;
 pub use volumes::VolumeFeatures;
 
 use super::regions::{RegionKind, Regions};
-use super::{Analysis, DeviceProfile, Layer, Mode, PathEnds, ProgramOptions, RaySkipping, Schedule};
+use super::{Analysis, DeviceProfile, Layer, Mode, PathEnds, ProgramOptions, RaySkipping, Schedule, constant};
 use crate::model::method::Path;
 use crate::model::{Capture, StereoLayout};
 use crate::scene::{Animation, Light, Precision, Scene, Segment, Shadows, Sky, Splitting, Tonemap};
+
+/// The numbers of extra columns or rows of a tile, on both sides of its pixels.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Margin {
+    /// To the left and above.
+    pub before: u32,
+    /// To the right and below.
+    pub after: u32,
+}
+
+impl Margin {
+    /// Returns the sum of both sides.
+    #[must_use]
+    pub fn total(self) -> u32 {
+        self.before + self.after
+    }
+}
 
 /// All properties of a scene and its output that determine the modules of its program and the passes that run it.
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
@@ -137,6 +154,10 @@ pub struct Features {
 
     /// The far side of a wormhole has a different sky.
     pub has_two_skies: bool,
+    /// The sky has stars.
+    pub has_stars: bool,
+    /// Every pixel has one sample.
+    pub is_one_sample: bool,
     /// The sky is transparent.
     pub sees_through: bool,
     /// Surfaces or the sky show images.
@@ -198,6 +219,7 @@ pub struct Features {
 impl Features {
     /// Determines the features of `scene`, rendered with `options`.
     #[must_use]
+    #[expect(clippy::too_many_lines, reason = "a line for each feature")]
     pub fn of(scene: &Scene, options: &ProgramOptions, Analysis { regions, structure }: &Analysis) -> Self {
         let ProgramOptions { mode, masks, layers, device, ends, .. } = options.clone();
         let is_picture = mode == Mode::Picture;
@@ -280,6 +302,8 @@ impl Features {
             has_throat: facts.throat.is_some(),
             joins_whole,
             has_two_skies: is_picture && scene.sky_other_side.is_some(),
+            has_stars: is_picture && ends == PathEnds::Followed && scene.has_stars(),
+            is_one_sample: scene.image.samples == 1,
             sees_through: is_picture && scene.sky == Sky::Transparent,
             has_images: !scene.pictures.is_empty(),
             has_vertex_colors: scene.uses_vertex_colors(),
@@ -331,10 +355,15 @@ impl Features {
         self.masks != RaySkipping::Off && (self.rounds > 1 || self.adapts)
     }
 
-    /// Returns the number of extra columns and rows of a tile, because the corners of its last pixels are shared with the next pixels.
+    /// Returns the number of extra columns and rows of a tile: the corners of its last pixels are shared with the next pixels, and stars near
+    /// it are found on a grid that continues on all sides.
     #[must_use]
-    pub fn margin(&self) -> u32 {
-        (self.adapts || self.keeps_footprints && !self.shades_ends()).into()
+    pub fn margin(&self) -> Margin {
+        if self.has_stars {
+            let side = constant("picture/stars/ray", "STAR_MARGIN") as u32;
+            return Margin { before: side, after: side };
+        }
+        Margin { before: 0, after: (self.adapts || self.keeps_footprints && !self.shades_ends()).into() }
     }
 
     /// Returns `true` if the program stores the step counts of each ray.

@@ -27,6 +27,10 @@ impl Features {
             passes.push(if self.is_picture() { Pass::Shade } else { Pass::Record });
         }
         passes.extend(self.adapts.then_some(Pass::Refine));
+        if self.has_stars {
+            passes.extend(Pass::STARS);
+            passes.extend((!self.is_one_sample).then_some(Pass::AddStars));
+        }
         passes
     }
 }

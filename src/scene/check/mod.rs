@@ -16,6 +16,7 @@ mod rays;
 mod regions;
 mod shift;
 mod sky;
+mod stars;
 mod travel;
 mod units;
 
@@ -178,7 +179,7 @@ pub(super) fn scene(reader: &Reader, files: &mut Files) -> Option<Scene> {
     let image = image::read(&root, paths.is_some());
     let camera = camera::read(&root, law.as_deref(), image.size);
     let law = law.and_then(|law| seen(&root, law, camera.as_ref()));
-    let (sky, beyond) = sky::read(&root, files, law.as_deref(), paths.is_some());
+    let sky::Skies { near: sky, beyond, stars } = sky::read(&root, files, law.as_deref(), paths.is_some());
     let output = output(&root, paths.is_some());
     let (names, mut materials) = material::read(&root, files, paths.is_some());
     let centers = bound.map(|bound| bound.centers(law.as_deref()));
@@ -228,6 +229,8 @@ pub(super) fn scene(reader: &Reader, files: &mut Files) -> Option<Scene> {
     let rest =
         shift::Rest { law: law_now, materials: &materials, absorption: absorption_now, paths: paths.is_some(), reach };
     shift::check(&root, camera.as_ref(), &rest);
+    let sight = stars::Sight { law: law_now, camera: camera.as_ref(), image: &image, rays: rays.as_ref() };
+    stars::check(&root, &stars, &sight, radiation.is_some());
     travel::check(&root, camera.as_ref(), bound, chords, &optics);
     let animation = animation::read(&root).map(|read| Animation {
         frames: read.frames,
@@ -236,11 +239,7 @@ pub(super) fn scene(reader: &Reader, files: &mut Files) -> Option<Scene> {
         moments: read.moments,
         keys: read.keys(),
     });
-    if image.adaptive.is_some() && animation.as_ref().is_some_and(|animation| animation.shutter > 0.0) {
-        let problem = "adaptive sampling cannot be combined with an open shutter".to_owned();
-        let help = "remove image.adaptive and set image.samples".to_owned();
-        root.fault_within("animation", "shutter", problem, help);
-    }
+    check_shutter(&root, image.adaptive.is_some(), animation.as_ref());
     root.finish();
     let mut scene = Scene {
         units,
@@ -251,6 +250,7 @@ pub(super) fn scene(reader: &Reader, files: &mut Files) -> Option<Scene> {
         rays: rays?,
         sky,
         sky_other_side: beyond,
+        stars,
         output,
         materials,
         objects,
@@ -269,6 +269,15 @@ pub(super) fn scene(reader: &Reader, files: &mut Files) -> Option<Scene> {
         scene.lights[light].color = DVec3::ZERO;
     }
     Some(scene)
+}
+
+/// Reports an open shutter with adaptive sampling.
+fn check_shutter(root: &TableReader, adapts: bool, animation: Option<&Animation>) {
+    if adapts && animation.is_some_and(|animation| animation.shutter > 0.0) {
+        let problem = "adaptive sampling cannot be combined with an open shutter".to_owned();
+        let help = "remove image.adaptive and set image.samples".to_owned();
+        root.fault_within("animation", "shutter", problem, help);
+    }
 }
 
 /// Reports a bounding sphere inside a capture region, which would show nothing.

@@ -2,22 +2,23 @@
 
 use glam::DVec3;
 
+use super::stars;
 use crate::assets::Files;
 use crate::document::reader::TableReader;
 use crate::document::values::{color, not_negative, word};
 use crate::document::{Node, Value};
 use crate::model::Law;
-use crate::scene::Sky;
+use crate::scene::{Sky, Stars};
 
 /// Reads the sky, which defaults to black, and the sky of the other side, if it has a separate one.
-pub fn read(root: &TableReader, files: &mut Files, law: Option<&dyn Law>, paths: bool) -> (Sky, Option<Sky>) {
-    let Some(node) = root.node("sky") else { return (BLACK, None) };
+pub fn read(root: &TableReader, files: &mut Files, law: Option<&dyn Law>, paths: bool) -> Skies {
+    let Some(node) = root.node("sky") else { return Skies::default() };
     if let Value::Text(_) = node.value {
         let sky = root.reader.accept(word(&[("transparent", ())])(node));
-        return (if sky.is_some() { Sky::Transparent } else { BLACK }, None);
+        return Skies { near: if sky.is_some() { Sky::Transparent } else { BLACK }, ..Skies::default() };
     }
-    let Some(table) = root.reader.open("sky", node) else { return (BLACK, None) };
-    let sky = one(&table, files);
+    let Some(table) = root.reader.open("sky", node) else { return Skies::default() };
+    let (near, stars) = (one(&table, files), stars::read(&table, files));
     let beyond = table.subtable("other_side", "sky.other_side").map(|beyond| {
         if law.is_some_and(|law| law.facts().throat.is_none()) {
             let problem = "`other_side` requires a wormhole";
@@ -27,12 +28,29 @@ pub fn read(root: &TableReader, files: &mut Files, law: Option<&dyn Law>, paths:
             let problem = "path tracing uses one sky for both sides";
             table.fault(&["other_side"], problem, "remove it, or use lighting = \"direct\"");
         }
-        let sky = one(&beyond, files);
+        let sky = (one(&beyond, files), stars::read(&beyond, files));
         beyond.finish();
         sky
     });
     table.finish();
-    (sky, beyond)
+    // Without a sky of its own the other side has the same stars.
+    let (beyond, stars_beyond) = beyond.map_or((None, stars.clone()), |(sky, stars)| (Some(sky), stars));
+    Skies { near, beyond, stars: [stars, stars_beyond] }
+}
+
+/// The skies of a scene.
+pub struct Skies {
+    pub near: Sky,
+    /// The sky of the other side, if it has a separate one.
+    pub beyond: Option<Sky>,
+    /// The stars of both sides.
+    pub stars: [Option<Stars>; 2],
+}
+
+impl Default for Skies {
+    fn default() -> Self {
+        Self { near: BLACK, beyond: None, stars: [None, None] }
+    }
 }
 
 const BLACK: Sky = Sky::Color(DVec3::ZERO);

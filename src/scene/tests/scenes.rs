@@ -59,6 +59,7 @@ pub(super) const KINDS: &[&str] = &[
      [[objects]]\nshape = \"box\"\ninterior = { kind = \"luneburg\", radius = 1, c = 3 }\n\
      [[objects]]\nshape = \"box\"\ninterior = { kind = \"constant\", n = 1.5 }\npriority = 1\n",
     "[camera]\nposition = [1, 2, 3]\nredshift = true\n[rays]\nbounding_sphere = { radius = 9 }\n",
+    "[rays]\nbounding_sphere = { radius = 9 }\n[sky]\nstars = { file = \"none.csv\" }\n",
     "[camera]\nkind = \"fisheye\"\nposition = [1, 2, 3]\ncorners = \"transparent\"\n\
      stereo = { separation = 0.5, layout = \"top-bottom\", convergence = 3 }\n[rays]\nbounding_sphere = { radius = 1 }\n",
     "[rays]\nbounding_sphere = { radius = 9 }\n[[lights]]\nkind = \"point\"\nposition = [0, 0, 1]\nshadows = \"curved-rays\"\n\

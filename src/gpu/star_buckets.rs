@@ -1,0 +1,125 @@
+//! Sorts the stars of a scene's skies into the buckets of `shaders/picture/stars/buckets.wgsl`.
+
+use std::collections::BTreeMap;
+
+use glam::{DMat3, DVec2, DVec3};
+
+use crate::model::black_body;
+use crate::program::constant;
+use crate::scene::{Scene, Stars};
+
+/// The most buckets along the edge of a face.
+const MOST_BUCKETS: u32 = 1024;
+/// Temperatures are rounded to this ratio to look up their colors.
+const SAME_COLOR: f64 = 1.01;
+
+/// The stars of one sky, in buckets.
+pub(super) struct SortedStars {
+    /// The axes of the catalog in the scene.
+    pub(super) axes: DMat3,
+    /// The radius of a star's disk, in radians.
+    pub(super) radius: f64,
+    /// The number of buckets along the edge of a face.
+    pub(super) buckets: u32,
+    /// The bucket, place, flux and temperature of each star, sorted.
+    pub(super) stars: Vec<(u32, DVec2, f64, f32)>,
+}
+
+impl SortedStars {
+    fn of(stars: &Stars) -> Self {
+        let shown: Vec<(usize, f64)> = stars.shown().collect();
+        let buckets = bucket_count(shown.len());
+        let place = |(i, flux): (usize, f64)| {
+            let star = &stars.catalog.stars[i];
+            let (face, place) = on_face(star.direction);
+            let [column, row] = place.to_array().map(|at| bucket(at, buckets));
+            ((face * buckets + row) * buckets + column, place, flux, star.kelvins)
+        };
+        let mut sorted: Vec<_> = shown.into_iter().map(place).collect();
+        // Catalogs in another order give the same list.
+        sorted.sort_by(|a, b| {
+            let key = |star: &(u32, DVec2, f64, f32)| (star.0, star.1.y, star.1.x, star.2);
+            key(a).partial_cmp(&key(b)).unwrap_or(std::cmp::Ordering::Equal)
+        });
+        Self { axes: stars.rotation, radius: 0.5 * stars.size, buckets, stars: sorted }
+    }
+
+    /// Returns the first star of each bucket, counted from `first`, and the end of the last one.
+    pub(super) fn starts(&self, first: usize) -> Vec<u32> {
+        let count = 6 * self.buckets * self.buckets;
+        let mut starts = Vec::with_capacity(count as usize + 1);
+        let mut at = 0;
+        for bucket in 0..=count {
+            while self.stars.get(at).is_some_and(|star| star.0 < bucket) {
+                at += 1;
+            }
+            starts.push((first + at) as u32);
+        }
+        starts
+    }
+
+    /// Returns the mean radiance of the whole sky.
+    pub(super) fn mean(&self) -> DVec3 {
+        let means = self.means();
+        means[means.len() - 6..].iter().copied().sum::<DVec3>() / (4.0 * std::f64::consts::PI)
+    }
+
+    /// Returns the light of all stars in each bucket of each coarser level.
+    pub(super) fn means(&self) -> Vec<DVec3> {
+        let mut colors: BTreeMap<i32, DVec3> = BTreeMap::new();
+        let mut color = |kelvins: f32| {
+            if kelvins <= 0.0 {
+                return DVec3::ONE;
+            }
+            let step = (f64::from(kelvins).ln() / SAME_COLOR.ln()).round() as i32;
+            *colors.entry(step).or_insert_with(|| black_body::color(SAME_COLOR.powi(step)).0)
+        };
+        let mut size = (self.buckets / constant("picture/stars/buckets", "FINEST_MEAN") as u32).max(1);
+        let mut level = vec![DVec3::ZERO; 6 * (size * size) as usize];
+        let factor = self.buckets / size;
+        for (bucket, _, flux, kelvins) in &self.stars {
+            let (face, row, column) = split(*bucket, self.buckets);
+            level[((face * size + row / factor) * size + column / factor) as usize] += *flux * color(*kelvins);
+        }
+        let mut all = level.clone();
+        while size > 1 {
+            let half = size / 2;
+            let mut coarser = vec![DVec3::ZERO; 6 * (half * half) as usize];
+            for (bucket, light) in (0..).zip(&level) {
+                let (face, row, column) = split(bucket, size);
+                coarser[((face * half + row / 2) * half + column / 2) as usize] += *light;
+            }
+            all.extend(&coarser);
+            (size, level) = (half, coarser);
+        }
+        all
+    }
+}
+
+/// Returns the face, row and column of a bucket.
+fn split(bucket: u32, buckets: u32) -> (u32, u32, u32) {
+    (bucket / (buckets * buckets), bucket / buckets % buckets, bucket % buckets)
+}
+
+/// Returns the number of buckets along the edge of a face, a power of two near ¾ of the square root of the number of stars, so that few
+/// buckets have several stars.
+fn bucket_count(stars: usize) -> u32 {
+    let power = (0.75 * (stars.max(1) as f64).sqrt()).log2().round().max(0.0);
+    (1_u32 << power as u32).min(MOST_BUCKETS)
+}
+
+fn bucket(place: f64, buckets: u32) -> u32 {
+    ((0.5 * (place + 1.0) * f64::from(buckets)) as u32).min(buckets - 1)
+}
+
+/// Returns the face of a direction, +x −x +y −y +z −z, and its place on the face from −1 to 1, along the two axes that follow the face's own.
+fn on_face(d: DVec3) -> (u32, DVec2) {
+    let axis = d.abs().max_position();
+    let (towards, u, v) = (d[axis], d[(axis + 1) % 3], d[(axis + 2) % 3]);
+    (2 * axis as u32 + u32::from(towards < 0.0), DVec2::new(u, v) / towards.abs())
+}
+
+/// Returns the stars of both skies of a scene.
+pub(super) fn sorted_stars(scene: &Scene) -> Vec<Option<SortedStars>> {
+    scene.stars.iter().map(|stars| stars.as_ref().map(SortedStars::of)).collect()
+}

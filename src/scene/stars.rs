@@ -1,0 +1,40 @@
+//! The stars of a sky: points of light at infinity.
+
+use std::sync::Arc;
+
+use glam::DMat3;
+
+use crate::assets::Catalog;
+
+/// The illuminance of a star of magnitude 0 outside the atmosphere, in lux.
+const ZERO_MAGNITUDE: f64 = 2.54e-6;
+
+/// The table `[sky.stars]`.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Stars {
+    /// The stars, in the axes of the catalog.
+    pub catalog: Arc<Catalog>,
+    /// The factor of their light; 1 gives radiance in cd/m².
+    pub intensity: f64,
+    /// The magnitude of the faintest stars.
+    pub limit: f64,
+    /// The rotation from the catalog to the scene.
+    pub rotation: DMat3,
+    /// The diameter of a star's disk, in radians.
+    pub size: f64,
+}
+
+impl Stars {
+    /// Returns the index, the magnitude and the light of each star that is shown.
+    pub fn shown(&self) -> impl Iterator<Item = (usize, f64)> {
+        let all = self.catalog.stars.iter().enumerate();
+        let shown = all.filter(|(_, star)| f64::from(star.magnitude) <= self.limit);
+        shown.map(|(i, star)| (i, self.intensity * flux(star.magnitude.into())))
+    }
+}
+
+/// Returns the illuminance of a star of this visual magnitude, in lux.
+#[must_use]
+pub fn flux(magnitude: f64) -> f64 {
+    ZERO_MAGNITUDE * 10_f64.powf(-0.4 * magnitude)
+}
