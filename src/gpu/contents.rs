@@ -42,8 +42,10 @@ impl SceneBuffers {
         segments: u32,
         (before, mut stored): (Option<&Self>, Option<&mut Stored>),
     ) -> Result<Self, GpuError> {
-        let mut source =
-            Uploads { scene, geometry, program, fields, segments, stars: sorted_stars(scene), kinds: Vec::new() };
+        let mut source = Uploads { scene, geometry, program, fields, segments, stars: Vec::new(), kinds: Vec::new() };
+        if program.features.has_stars {
+            source.stars = sorted_stars(scene);
+        }
         source.kinds = [source.of_kinds(), source.uniforms()].concat();
         let mut made = Self { buffers: BTreeMap::new(), pictures: BTreeMap::new() };
         let stage = gpu.progress.measured("uploading the scene", program.bindings().count() as f64);

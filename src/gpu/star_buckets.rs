@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 
 use glam::{DMat3, DVec2, DVec3};
+use rayon::prelude::*;
 
 use crate::model::black_body;
 use crate::program::constant;
@@ -23,6 +24,8 @@ pub(super) struct SortedStars {
     pub(super) buckets: u32,
     /// The bucket, place, flux and temperature of each star, sorted.
     pub(super) stars: Vec<(u32, DVec2, f64, f32)>,
+    /// The light of all stars in each bucket of each coarser level.
+    pub(super) means: Vec<DVec3>,
 }
 
 impl SortedStars {
@@ -35,13 +38,14 @@ impl SortedStars {
             let [column, row] = place.to_array().map(|at| bucket(at, buckets));
             ((face * buckets + row) * buckets + column, place, flux, star.kelvins)
         };
-        let mut sorted: Vec<_> = shown.into_iter().map(place).collect();
+        let mut sorted: Vec<_> = shown.into_par_iter().map(place).collect();
         // Catalogs in another order give the same list.
-        sorted.sort_by(|a, b| {
+        sorted.par_sort_by(|a, b| {
             let key = |star: &(u32, DVec2, f64, f32)| (star.0, star.1.y, star.1.x, star.2);
             key(a).partial_cmp(&key(b)).unwrap_or(std::cmp::Ordering::Equal)
         });
-        Self { axes: stars.rotation, radius: 0.5 * stars.size, buckets, stars: sorted }
+        let means = means(buckets, &sorted);
+        Self { axes: stars.rotation, radius: 0.5 * stars.size, buckets, stars: sorted, means }
     }
 
     /// Returns the first star of each bucket, counted from `first`, and the end of the last one.
@@ -60,40 +64,39 @@ impl SortedStars {
 
     /// Returns the mean radiance of the whole sky.
     pub(super) fn mean(&self) -> DVec3 {
-        let means = self.means();
-        means[means.len() - 6..].iter().copied().sum::<DVec3>() / (4.0 * std::f64::consts::PI)
+        self.means[self.means.len() - 6..].iter().copied().sum::<DVec3>() / (4.0 * std::f64::consts::PI)
     }
+}
 
-    /// Returns the light of all stars in each bucket of each coarser level.
-    pub(super) fn means(&self) -> Vec<DVec3> {
-        let mut colors: BTreeMap<i32, DVec3> = BTreeMap::new();
-        let mut color = |kelvins: f32| {
-            if kelvins <= 0.0 {
-                return DVec3::ONE;
-            }
-            let step = (f64::from(kelvins).ln() / SAME_COLOR.ln()).round() as i32;
-            *colors.entry(step).or_insert_with(|| black_body::color(SAME_COLOR.powi(step)).0)
-        };
-        let mut size = (self.buckets / constant("picture/stars/buckets", "FINEST_MEAN") as u32).max(1);
-        let mut level = vec![DVec3::ZERO; 6 * (size * size) as usize];
-        let factor = self.buckets / size;
-        for (bucket, _, flux, kelvins) in &self.stars {
-            let (face, row, column) = split(*bucket, self.buckets);
-            level[((face * size + row / factor) * size + column / factor) as usize] += *flux * color(*kelvins);
+/// Returns the light of all stars in each bucket of each coarser level.
+fn means(buckets: u32, stars: &[(u32, DVec2, f64, f32)]) -> Vec<DVec3> {
+    let mut colors: BTreeMap<i32, DVec3> = BTreeMap::new();
+    let mut color = |kelvins: f32| {
+        if kelvins <= 0.0 {
+            return DVec3::ONE;
         }
-        let mut all = level.clone();
-        while size > 1 {
-            let half = size / 2;
-            let mut coarser = vec![DVec3::ZERO; 6 * (half * half) as usize];
-            for (bucket, light) in (0..).zip(&level) {
-                let (face, row, column) = split(bucket, size);
-                coarser[((face * half + row / 2) * half + column / 2) as usize] += *light;
-            }
-            all.extend(&coarser);
-            (size, level) = (half, coarser);
-        }
-        all
+        let step = (f64::from(kelvins).ln() / SAME_COLOR.ln()).round() as i32;
+        *colors.entry(step).or_insert_with(|| black_body::color(SAME_COLOR.powi(step)).0)
+    };
+    let mut size = (buckets / constant("picture/stars/buckets", "FINEST_MEAN") as u32).max(1);
+    let mut level = vec![DVec3::ZERO; 6 * (size * size) as usize];
+    let factor = buckets / size;
+    for (bucket, _, flux, kelvins) in stars {
+        let (face, row, column) = split(*bucket, buckets);
+        level[((face * size + row / factor) * size + column / factor) as usize] += *flux * color(*kelvins);
     }
+    let mut all = level.clone();
+    while size > 1 {
+        let half = size / 2;
+        let mut coarser = vec![DVec3::ZERO; 6 * (half * half) as usize];
+        for (bucket, light) in (0..).zip(&level) {
+            let (face, row, column) = split(bucket, size);
+            coarser[((face * half + row / 2) * half + column / 2) as usize] += *light;
+        }
+        all.extend(&coarser);
+        (size, level) = (half, coarser);
+    }
+    all
 }
 
 /// Returns the face, row and column of a bucket.

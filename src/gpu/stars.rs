@@ -1,6 +1,7 @@
 //! Packs the lists of stars.
 
 use glam::{DMat3, DVec2, DVec3};
+use rayon::prelude::*;
 
 use super::GpuError;
 use super::records::pack;
@@ -16,13 +17,8 @@ impl Uploads<'_> {
         match name {
             "star_skies" => pack(name, layout, rows(&self.stars)).map(Some),
             "star_list" => {
-                let row = |(_, place, flux, kelvins): &(u32, DVec2, f64, f32)| -> Row {
-                    row! { place: Vec2(*place), flux: Float(*flux), kelvins: Float(f64::from(*kelvins)) }
-                };
-                // A buffer may not be empty.
-                let none = || row! { place: Vec2(DVec2::ZERO), flux: Float(0.0), kelvins: Float(1.0) };
-                let all = sorted().flat_map(|own| own.stars.iter().map(row));
-                pack(name, layout, all.chain(std::iter::once_with(none))).map(Some)
+                let all: Vec<_> = sorted().flat_map(|own| &own.stars).collect();
+                packed(layout, &all).map(Some)
             }
             "star_buckets" => {
                 let mut first = 0;
@@ -34,7 +30,7 @@ impl Uploads<'_> {
                 Ok(Some(starts.flat_map(u32::to_ne_bytes).collect()))
             }
             "star_means" => {
-                let all = sorted().flat_map(SortedStars::means);
+                let all = sorted().flat_map(|own| own.means.iter().copied());
                 Ok(Some(
                     all.flat_map(|light| light.extend(0.0).as_vec4().to_array()).flat_map(f32::to_ne_bytes).collect(),
                 ))
@@ -42,6 +38,28 @@ impl Uploads<'_> {
             _ => Ok(None),
         }
     }
+}
+
+/// Returns stars as the device reads them. The first is packed and checked like all other values, and the others like the first.
+fn packed(layout: &Layout, stars: &[&(u32, DVec2, f64, f32)]) -> Result<Vec<u8>, GpuError> {
+    let row = |place: DVec2, flux, kelvins| -> Row {
+        row! { place: Vec2(place), flux: Float(flux), kelvins: Float(kelvins) }
+    };
+    // A buffer may not be empty.
+    let first = stars.first().map_or(row(DVec2::ZERO, 0.0, 1.0), |own| row(own.1, own.2, own.3.into()));
+    let first = pack("star_list", layout, [first])?;
+    let offsets = ["place", "flux", "kelvins"].map(|name| layout.field(name).map_or(0, |field| field.offset as usize));
+    let span = layout.span as usize;
+    let mut bytes = vec![0; span * stars.len()];
+    bytes.par_chunks_exact_mut(span).zip(stars).for_each(|(bytes, (_, place, flux, kelvins))| {
+        let mut put = |at: usize, value: f32| bytes[at..at + 4].copy_from_slice(&value.to_ne_bytes());
+        put(offsets[0], place.x as f32);
+        put(offsets[0] + 4, place.y as f32);
+        put(offsets[1], *flux as f32);
+        put(offsets[2], *kelvins);
+    });
+    debug_assert!(bytes.is_empty() || bytes.starts_with(&first));
+    Ok(if bytes.is_empty() { first } else { bytes })
 }
 
 /// Returns the records of both skies; a sky without stars has no buckets.
@@ -62,7 +80,7 @@ fn rows(skies: &[Option<SortedStars>]) -> Vec<Row> {
         };
         if let Some(own) = sky {
             bucket += 6 * buckets * buckets + 1;
-            mean += own.means().len() as u32;
+            mean += own.means.len() as u32;
         }
         row
     };
