@@ -3,33 +3,18 @@
 //! *Length.* Over 300 lines, because it is a list, with a field and a line for each feature.
 
 mod constants;
+mod margin;
 mod passes;
 mod volumes;
 
+pub use margin::Margin;
 pub use volumes::VolumeFeatures;
 
 use super::regions::{RegionKind, Regions};
-use super::{Analysis, DeviceProfile, Layer, Mode, PathEnds, ProgramOptions, RaySkipping, Schedule, constant};
+use super::{Analysis, DeviceProfile, Layer, Mode, PathEnds, ProgramOptions, RaySkipping, Schedule};
 use crate::model::method::Path;
 use crate::model::{Capture, StereoLayout};
 use crate::scene::{Animation, Light, Precision, Scene, Segment, Shadows, Sky, Splitting, Tonemap};
-
-/// The numbers of extra columns or rows of a tile, on both sides of its pixels.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Margin {
-    /// To the left and above.
-    pub before: u32,
-    /// To the right and below.
-    pub after: u32,
-}
-
-impl Margin {
-    /// Returns the sum of both sides.
-    #[must_use]
-    pub fn total(self) -> u32 {
-        self.before + self.after
-    }
-}
 
 /// All properties of a scene and its output that determine the modules of its program and the passes that run it.
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
@@ -353,17 +338,6 @@ impl Features {
     #[must_use]
     pub fn lists_open(&self) -> bool {
         self.masks != RaySkipping::Off && (self.rounds > 1 || self.adapts)
-    }
-
-    /// Returns the number of extra columns and rows of a tile: the corners of its last pixels are shared with the next pixels, and stars near
-    /// it are found on a grid that continues on all sides.
-    #[must_use]
-    pub fn margin(&self) -> Margin {
-        if self.has_stars {
-            let side = constant("picture/stars/ray", "STAR_MARGIN") as u32;
-            return Margin { before: side, after: side };
-        }
-        Margin { before: 0, after: (self.adapts || self.keeps_footprints && !self.shades_ends()).into() }
     }
 
     /// Returns `true` if the program stores the step counts of each ray.
