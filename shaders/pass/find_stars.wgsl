@@ -3,9 +3,10 @@
 @compute @workgroup_size(GROUP)
 fn find_stars(own: Invocation) {
     let spot = grid_pixel(own);
-    let wanted = spot.valid && is_lit(spot.pixel);
     if spot.valid {
         star_slots[place_in_tile(spot.pixel)] = 0u;
+        if is_lit(spot.pixel) {
+            list_cell(spot.pixel);
+        }
     }
-    list_cell(spot.pixel, wanted, own.lane);
 }

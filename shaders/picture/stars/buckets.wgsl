@@ -80,6 +80,42 @@ fn face_box(face: u32, corners: array<vec3f, 4>, buckets: u32, bulge: f32) -> Fa
     return FaceBox(first_place, last_place, size.x * size.y, low, high);
 }
 
+// A scan of the stars near a part of the sky, range by range.
+struct StarScan {
+    // The faces that are left, as bits, the face, its part, and the next row of buckets there.
+    faces: u32,
+    face: u32,
+    within: FaceBox,
+    row: u32,
+    // The range of stars.
+    star: u32,
+    until: u32,
+    // `false` after the last range.
+    more: bool,
+}
+
+fn star_scan(corners: array<vec3f, 4>, bulge: f32) -> StarScan {
+    return StarScan(faces_of(corners, bulge), 0u, FaceBox(), 1u, 0u, 0u, true);
+}
+
+// Returns the scan with the next range of stars, which may be empty.
+fn next_range(scan: StarScan, corners: array<vec3f, 4>, own: StarSky, bulge: f32) -> StarScan {
+    var next = scan;
+    if scan.within.count > 0u && scan.row <= scan.within.last.y {
+        let bucket = own.first_bucket + (scan.face * own.buckets + scan.row) * own.buckets;
+        next.star = star_buckets[bucket + scan.within.first.x];
+        next.until = star_buckets[bucket + scan.within.last.x + 1u];
+        next.row++;
+    } else {
+        next.more = scan.faces != 0u;
+        next.face = min(firstTrailingBit(scan.faces), 5u);
+        next.faces &= scan.faces - 1u;
+        next.within = face_box(next.face, corners, own.buckets, bulge);
+        next.row = next.within.first.y;
+    }
+    return next;
+}
+
 // A cell that covers a part of a face is ahead of it by more than this.
 const LEAST_AHEAD: f32 = 0.05;
 // The rounding error of a place on a face.

@@ -48,6 +48,7 @@ fn load_patch(pixel: vec2u) -> bool {
     if corner_missing < 4u {
         let opposite = corner_rays[3u - corner_missing];
         var filled = opposite;
+        filled.end = 0u;
         filled.way = b.way + c.way - opposite.way;
         if corner_missing == 1u || corner_missing == 2u {
             filled.way = a.way + d.way - opposite.way;

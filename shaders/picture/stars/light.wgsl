@@ -141,4 +141,5 @@ fn add_mean(corners: array<vec3f, 4>) {
     fill_cell(weight_at(vec2f(0.5)) * shifted_mean(light / area, shift_at(vec2f(0.5))));
 }
 
+// A cell that covers more buckets of a mean than this uses the next coarser level.
 const MOST_MEANS: u32 = 36u;

@@ -59,43 +59,28 @@ fn in_part(corners: array<vec3f, 4>, s: vec3f) -> InPart {
 // Adds the images in a square part of the cell.
 fn scan_part(origin: vec2f, side: f32) {
     let corners = part_corners(origin, side);
-    var faces = faces_of(corners, 0.0);
-    var face = 0u;
-    var within: FaceBox;
-    var row = 1u;
-    var star = 0u;
-    var until = 0u;
-    var more = true;
+    var scan = star_scan(corners, 0.0);
     loop {
         // Proceeds to the next star that the part contains.
         var found = InPart(false, vec2f(0.0));
         var way: vec3f;
         loop {
-            if star < until {
-                way = normalize(from_face(face, star_list[star].place));
+            if scan.star < scan.until {
+                way = normalize(from_face(scan.face, star_list[scan.star].place));
                 found = in_part(corners, way);
-                star++;
-            } else if within.count > 0u && row <= within.last.y {
-                let first_bucket = cell_sky.first_bucket + (face * cell_sky.buckets + row) * cell_sky.buckets;
-                star = star_buckets[first_bucket + within.first.x];
-                until = star_buckets[first_bucket + within.last.x + 1u];
-                row++;
+                scan.star++;
             } else {
-                more = faces != 0u;
-                face = min(firstTrailingBit(faces), 5u);
-                faces &= faces - 1u;
-                within = face_box(face, corners, cell_sky.buckets, 0.0);
-                row = within.first.y;
+                scan = next_range(scan, corners, cell_sky, 0.0);
             }
             continuing {
-                break if found.there || !more;
+                break if found.there || !scan.more;
             }
         }
         if found.there {
-            add_image(star_list[star - 1u], way, origin + side * found.at);
+            add_image(star_list[scan.star - 1u], way, origin + side * found.at);
         }
         continuing {
-            break if !more;
+            break if !scan.more;
         }
     }
 }

@@ -33,12 +33,13 @@ var<storage, read_write> star_cells: array<StarCell>;
 // The number of groups in one row of a dispatch with several rows.
 const STAR_ROW: u32 = 32768u;
 
-var<workgroup> group_stars: atomic<u32>;
-var<workgroup> group_first_star: u32;
-
 // Returns `true` if a cell has light: from its stars, or as the edge of a sky.
 fn is_lit(pixel: vec2u) -> bool {
     if any(pixel < vec2u(1u)) || any(pixel + 2u >= frame.size) {
+        return false;
+    }
+    // A cell between the two views of a stereo image is not a part of either.
+    if view_of(sampled_pixel(pixel)) != view_of(sampled_pixel(pixel + 1u)) {
         return false;
     }
     let place = place_in_tile(pixel);
@@ -59,32 +60,17 @@ fn is_lit(pixel: vec2u) -> bool {
     let own = star_skies[ends.x & 1u];
     let bulge = bent(pixel, 1u, corners[0], corners[1], ends.x) + bent(pixel, frame.size.x, corners[0], corners[2], ends.x);
     var lit = spread(corners) > WIDEST_CELL;
-    var faces = faces_of(corners, bulge);
-    var face = 0u;
-    var within: FaceBox;
-    var row = 1u;
-    var star = 0u;
-    var until = 0u;
-    var more = true;
+    var scan = star_scan(corners, bulge);
     loop {
-        if star < until {
-            let place = star_list[star].place;
-            lit |= all(place >= within.low) & all(place <= within.high);
-            star++;
-        } else if within.count > 0u && row <= within.last.y {
-            let first_bucket = own.first_bucket + (face * own.buckets + row) * own.buckets;
-            star = star_buckets[first_bucket + within.first.x];
-            until = star_buckets[first_bucket + within.last.x + 1u];
-            row++;
+        if scan.star < scan.until {
+            let at = star_list[scan.star].place;
+            lit |= all(at >= scan.within.low) & all(at <= scan.within.high);
+            scan.star++;
         } else {
-            more = faces != 0u;
-            face = min(firstTrailingBit(faces), 5u);
-            faces &= faces - 1u;
-            within = face_box(face, corners, own.buckets, bulge);
-            row = within.first.y;
+            scan = next_range(scan, corners, own, bulge);
         }
         continuing {
-            break if lit || !more;
+            break if lit || !scan.more;
         }
     }
     return lit;
@@ -101,27 +87,15 @@ fn bent(pixel: vec2u, stride: u32, a: vec3f, b: vec3f, end: u32) -> f32 {
     return 0.25 * min(max(first, last), WIDEST_CELL);
 }
 
-// Appends cells to the list. Called by every lane of the group.
-fn list_cell(pixel: vec2u, wanted: bool, lane: u32) {
-    var mine = 0u;
-    if wanted {
-        mine = atomicAdd(&group_stars, 1u);
-    }
-    workgroupBarrier();
-    if lane == 0u {
-        let count = atomicLoad(&group_stars);
-        if count > 0u {
-            let first = atomicAdd(&star_work_out.count, count);
-            let needed = (first + count + GROUP - 1u) / GROUP;
-            atomicMax(&star_work_out.x, min(needed, STAR_ROW));
-            atomicMax(&star_work_out.y, (needed + STAR_ROW - 1u) / STAR_ROW);
-            atomicMax(&star_work_out.z, 1u);
-            group_first_star = first;
-        }
-    }
-    workgroupBarrier();
-    if wanted {
-        star_work_out.cells[group_first_star + mine] = pixel.x | (pixel.y << 16u);
+// Appends a cell to the list. The first cell of each group of the dispatch raises the number of groups.
+fn list_cell(pixel: vec2u) {
+    let n = atomicAdd(&star_work_out.count, 1u);
+    star_work_out.cells[n] = pixel.x | (pixel.y << 16u);
+    if n % GROUP == 0u {
+        let groups = n / GROUP + 1u;
+        atomicMax(&star_work_out.x, min(groups, STAR_ROW));
+        atomicMax(&star_work_out.y, (groups + STAR_ROW - 1u) / STAR_ROW);
+        atomicMax(&star_work_out.z, 1u);
     }
 }
 
