@@ -8,7 +8,7 @@ use bentray::model::camera::{Corners, Fisheye, Panorama};
 use bentray::program::{Layer, ProgramOptions};
 use bentray::render::{Plane, RenderSettings, Renderer, Rendering, Status, pixel_starts};
 use bentray::scene::Scene;
-use glam::DVec3;
+use glam::{DMat3, DVec3};
 
 use crate::support::{gpu, scene};
 
@@ -26,6 +26,38 @@ fn with_status() -> RenderSettings {
     RenderSettings {
         options: ProgramOptions { layers: vec![Layer::Status], ..ProgramOptions::default() },
         ..RenderSettings::default()
+    }
+}
+
+/// A turned sky, and the stars in it, are what a camera sees that is turned in the same way.
+#[test]
+fn a_turned_sky_is_seen_by_a_turned_camera() {
+    let turn = |v: DVec3| {
+        let [x, y, z] = [20_f64, 50.0, -35.0].map(f64::to_radians);
+        DMat3::from_rotation_z(z) * DMat3::from_rotation_y(y) * DMat3::from_rotation_x(x) * v
+    };
+    for sky in ["image = \"data/stars.png\"", "faces = [F, F, F, F, F, F]", "stars = { file = \"data/stars.csv\", limit = 4, intensity = 1e5 }"]
+    {
+        let sky = sky.replace('F', "\"data/graticule.png\"");
+        let seen = |rotate: &str, ahead: DVec3, up: DVec3| {
+            let [ahead, up] = [ahead, up].map(|v| v.to_array());
+            let mut scene = scene(&format!(
+                "[image]\nsize = [64, 48]\n[camera]\nposition = [0, 0, 0]\nlook_at = {ahead:?}\nup = {up:?}\nfov = 70\n\
+                 [rays]\nbounding_sphere = {{ radius = 9 }}\n[sky]\nrotate = {rotate}\n{sky}\n"
+            ));
+            for picture in &mut scene.pictures {
+                // Colors that change little from one texel to the next.
+                let pixels = (0..32 * 16).map(|i| [(i % 32) as f32 / 32.0, (i / 32) as f32 / 16.0, 0.5]);
+                picture.size = [32, 16];
+                picture.pixels = Arc::new(pixels.collect());
+            }
+            rendered(&scene, RenderSettings::default()).band
+        };
+        let (a, b) = (seen("[0, 0, 0]", -DVec3::Z, DVec3::Y), seen("[20, 50, -35]", turn(-DVec3::Z), turn(DVec3::Y)));
+        assert!(a.color[0].iter().any(|light| *light > 0.1), "{sky}");
+        for (a, b) in a.color.iter().flatten().zip(b.color.iter().flatten()) {
+            assert!((a - b).abs() < 1e-3 * a.abs().max(1.0), "{sky}: {a} {b}");
+        }
     }
 }
 

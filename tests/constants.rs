@@ -7,7 +7,7 @@ use bentray::program::constant;
 use crate::support::sources;
 
 /// Calls of `constant` with computed arguments, and all values that these can have.
-const COMPUTED: [(&str, &[(&str, &str)]); 6] = [
+const COMPUTED: [(&str, &[(&str, &str)]); 7] = [
     (
         "part, &part.rsplit('/').next().unwrap_or(part).to_uppercase()",
         &[
@@ -52,6 +52,10 @@ const COMPUTED: [(&str, &[(&str, &str)]); 6] = [
             ("segment/ray", "CUT"),
             ("segment/ray", "OUTSIDE"),
         ],
+    ),
+    (
+        "\"picture/bundle/grid\", name",
+        &[("picture/bundle/grid", "STAR_MARGIN"), ("picture/bundle/grid", "BUNDLE_MARGIN")],
     ),
     ("\"segment/ray\", name", &[("segment/ray", "ALIVE"), ("segment/ray", "UNFINISHED")]),
     ("\"state/active\", name", &[("state/active", "GROUP"), ("state/active", "GROUP_WIDTH")]),

@@ -213,7 +213,8 @@ fn no_pass_asks_for_the_number_of_workgroups() {
     let is_count =
         |binding: Option<&naga::Binding>| matches!(binding, Some(naga::Binding::BuiltIn(naga::BuiltIn::NumWorkGroups)));
     let keys = ["image.adaptive=0.1", "image.samples=64"].map(|key| key.parse().unwrap());
-    let scene = Scene::load(&shipped_scenes()[0], &keys).unwrap();
+    let path = shipped_scenes().into_iter().find(|path| path.ends_with("fig4e_schwarzschild.toml")).unwrap();
+    let scene = Scene::load(&path, &keys).unwrap();
     let geometry = Geometry::new(&scene);
     for schedule in Schedule::ALL {
         let options = ProgramOptions { schedule, ..ProgramOptions::default() };

@@ -131,8 +131,9 @@ fn one_sample_is_nearer_to_many() {
 
 #[test]
 fn schedules_and_tiles_do_not_show() {
-    for samples in [1, 5] {
-        let scene = lens(samples, true);
+    let mut sky = lens(1, true);
+    sky.objects.clear();
+    for scene in [lens(1, true), lens(5, true), sky, through_glass(true)] {
         let expected = shown(&scene);
         for (schedule, pixels) in
             [(Schedule::Whole, u64::MAX), (Schedule::Segment, u64::MAX), (Schedule::Paper, 300), (Schedule::Fused, 300)]
@@ -140,6 +141,29 @@ fn schedules_and_tiles_do_not_show() {
             assert!(of(&scene, schedule, pixels) == expected, "{schedule:?}");
         }
     }
+}
+
+/// Returns a glass ball in front of a sky whose texels are larger than pixels, so that filtering does not change them.
+fn through_glass(footprints: bool) -> Scene {
+    let mut scene = scene(
+        "[image]\nsize = [40, 30]\n[camera]\nposition = [0, 0, 9]\nfov = 20\n[rays]\nbounding_sphere = { radius = 20 }\n\
+         [sky]\nimage = \"data/stars.png\"\n[[objects]]\nshape = \"sphere\"\ninterior = 1.5\n",
+    );
+    scene.pictures[0] = picture([8, 4]);
+    scene.image.footprints = footprints;
+    scene
+}
+
+/// The sky is seen along all branches of a path once, though it is filtered after each of them.
+#[test]
+fn branches_are_seen_once() {
+    let [plain, filtered] = [false, true].map(|footprints| shown(&through_glass(footprints)));
+    for (a, b) in plain.color.iter().flatten().zip(filtered.color.iter().flatten()) {
+        // At its edge, the ball compresses the sky to less than a pixel per texel.
+        assert!((a - b).abs() < 0.35, "{a} {b}");
+    }
+    let off = distance(&plain, &filtered);
+    assert!(off < 0.02, "{off}");
 }
 
 /// Without textures to average, the program is identical to that without filtering.

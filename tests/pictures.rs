@@ -31,11 +31,14 @@ fn state_on_the_device_is_small() {
         };
         let fused = || ProgramOptions { schedule: Schedule::Fused, ..ProgramOptions::default() };
         let plain = bytes(&scene, &fused());
+        // The grid of rays, the stars in a pixel, and the 16 parts of a cell's light.
+        let stars = if scene.has_stars() { 3 * 16 + 4 + 3 * 16 * 4 } else { 0 };
         // W, if a path ends by τ, in two slots.
-        let most = if scene.rays.max_parameter.is_some() { 104 + 2 * 16 } else { 104 };
+        let most = stars + if scene.rays.max_parameter.is_some() { 104 + 2 * 16 } else { 104 };
         assert!(plain <= most, "{}: {plain} bytes per pixel", path.display());
         let layers = |is_of_crossings| -> Vec<Layer> {
-            Layer::ALL.into_iter().filter(|layer| layer.is_of_crossings() == is_of_crossings).collect()
+            let own = |layer: &Layer| layer.is_of_crossings() == is_of_crossings && !layer.is_of_bundles();
+            Layer::ALL.into_iter().filter(own).collect()
         };
         let layered = bytes(&scene, &ProgramOptions { layers: layers(false), ..fused() });
         // Depth, segments, object, status, steps and redshift at 4 bytes, two vectors at 12; the summed steps, rejections
@@ -47,7 +50,7 @@ fn state_on_the_device_is_small() {
         scene.rays.max_segments = 100_000;
         assert_eq!(bytes(&scene, &fused()), plain);
         // A path in one pass only stores its color, which takes as much as four numbers.
-        assert_eq!(bytes(&scene, &ProgramOptions::default()), 4 * 4, "{}", path.display());
+        assert_eq!(bytes(&scene, &ProgramOptions::default()), stars + 4 * 4, "{}", path.display());
         let masks = Schedule::Paper.masks();
         let paper = bytes(&scene, &ProgramOptions { schedule: Schedule::Paper, masks, ..ProgramOptions::default() });
         assert!(paper <= most, "{}: {paper} bytes per pixel", path.display());
@@ -110,7 +113,9 @@ fn tiles_do_not_show() {
 
 fn tiles_of_do_not_show(mut scene: Scene) {
     scene.image.samples = 3;
-    let options = ProgramOptions { layers: Layer::ALL.to_vec(), ..ProgramOptions::default() };
+    // The grid for bundles has more rays in more tiles.
+    let layers = Layer::ALL.into_iter().filter(|layer| !layer.is_of_bundles()).collect();
+    let options = ProgramOptions { layers, ..ProgramOptions::default() };
     let whole = rendered(&scene, RenderSettings { options: options.clone(), ..RenderSettings::default() });
     for tile_pixels in [64, 1000] {
         let tiled =

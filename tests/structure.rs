@@ -182,10 +182,10 @@ fn each_pass_has_one_name() {
         Pass::Reshade,
         Pass::Record,
         Pass::Refine,
+        Pass::MeasureBundles,
         Pass::FindStars,
         Pass::LightStars,
         Pass::GatherStars,
-        Pass::AddStars,
         Pass::Bare,
         Pass::Shots,
     ];

@@ -1,5 +1,6 @@
 //! All integration tests, as one program: wgpu is linked once.
 
+mod bundles;
 mod support;
 
 mod absorptions;

@@ -2,22 +2,27 @@
 // half, wherever rounding puts its samples.
 
 fn picture_ray(pixel: vec2u) -> CameraRay {
+    return ray_through(pixel, sample_point(pixel));
+}
+
+// Returns the ray through a point of the image, in pixels, in the view of a pixel.
+fn ray_through(pixel: vec2u, point: vec2f) -> CameraRay {
     if SIDE_BY_SIDE {
         let size = vec2u(frame.image.x / 2u, frame.image.y);
         let right = pixel.x >= size.x;
-        return ray_of_eye(pixel, size, vec2u(select(0u, size.x, right), 0u), right);
+        return ray_of_eye(point, size, vec2u(select(0u, size.x, right), 0u), right);
     }
     if TOP_BOTTOM {
         let size = vec2u(frame.image.x, frame.image.y / 2u);
         let right = pixel.y >= size.y;
-        return ray_of_eye(pixel, size, vec2u(0u, select(0u, size.y, right)), right);
+        return ray_of_eye(point, size, vec2u(0u, select(0u, size.y, right)), right);
     }
-    return camera_ray(image_plane(sample_point(pixel), frame.image));
+    return camera_ray(image_plane(point, frame.image));
 }
 
 // Returns the ray of one eye, in a view that begins at `corner`.
-fn ray_of_eye(pixel: vec2u, size: vec2u, corner: vec2u, right: bool) -> CameraRay {
-    return eye_ray(camera_ray(image_plane(sample_point(pixel) - vec2f(corner), size)), right);
+fn ray_of_eye(point: vec2f, size: vec2u, corner: vec2u, right: bool) -> CameraRay {
+    return eye_ray(camera_ray(image_plane(point - vec2f(corner), size)), right);
 }
 
 // Returns the index of the view that a pixel belongs to.

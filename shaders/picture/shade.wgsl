@@ -14,7 +14,7 @@ fn shade_ray(pixel: vec2u, ray: Ray, end: Hit) {
         note_frequency(pixel, ray);
     }
     if KEEPS_FOOTPRINTS {
-        note_footprint(pixel, ray);
+        note_bundle(pixel);
     }
     let seen = seen_at(ray, end);
     if TRANSFERS {
@@ -26,7 +26,7 @@ fn shade_ray(pixel: vec2u, ray: Ray, end: Hit) {
         }
     }
     if KEEPS_ENDS {
-        if frame.sample != CORNERS {
+        if frame.sample != CENTERS {
             store_end(pixel, ray.status, end.primitive, seen.end);
         }
     }
@@ -39,13 +39,12 @@ fn shade_ray(pixel: vec2u, ray: Ray, end: Hit) {
         if FOLLOWS_SHIFT {
             note_sky(ray, seen.end);
         }
-        light = sky_radiance(vec3f(normalize(seen.end.v)));
-        if BEAMS {
-            light = beamed(light);
+        if !DEFERS_SKY {
+            light = sky_seen(pixel, vec3f(normalize(seen.end.v)));
         }
     }
-    if HAS_STARS {
-        note_star_grid(pixel, code, seen.end);
+    if HAS_GRID {
+        note_grid(pixel, code, seen);
     }
     if SEES_GLOW {
         gather(light, seen.end.x);
@@ -58,7 +57,12 @@ fn shade_ray(pixel: vec2u, ray: Ray, end: Hit) {
         add_radiation(pixel);
         light = shown_radiation();
     }
-    add_color(pixel, light);
+    var color = light;
+    if ADDS_STARLIGHT {
+        // Once for each sample of the pixel.
+        color += select(vec3f(0.0), pixel_starlight[place_in_tile(pixel)], frame.sample != CENTERS && frame.branch == 0u);
+    }
+    add_color(pixel, color);
     if KEEPS_ORDERS {
         add_order(pixel, light);
     }
@@ -72,7 +76,21 @@ fn shade_ray(pixel: vec2u, ray: Ray, end: Hit) {
             add_crossing(pixel, hit_surface(end.primitive, seen.end.x), seen.end);
         }
     }
-    keep_corner(pixel, ray, seen);
+    if ADAPTS {
+        keep_corner(pixel, ray, seen);
+    }
+}
+
+// Returns the light of the sky in a direction, as the observer sees it.
+fn sky_seen(pixel: vec2u, d: vec3f) -> vec3f {
+    if KEEPS_FOOTPRINTS {
+        fit_footprint(sky_end(pixel));
+    }
+    let light = sky_radiance(d);
+    if BEAMS {
+        return beamed(light);
+    }
+    return light;
 }
 
 // Adds the light of a finished path.
@@ -100,6 +118,8 @@ fn shade_path(pixel: vec2u, ray: Ray, end: Hit) {
     if carried.recorded == 0u {
         keep_layers(pixel, ray, seen);
     }
-    // Similar colors of corners prove nothing about a path's light, so that no two corners count as the same object.
-    keep_corner(pixel, ray, Seen(seen.end, seen.color, seen.normal, place_in_tile(pixel)));
+    if ADAPTS {
+        // Similar colors of corners prove nothing about a path's light, so that no two corners count as the same object.
+        keep_corner(pixel, ray, Seen(seen.end, seen.color, seen.normal, place_in_tile(pixel)));
+    }
 }

@@ -41,21 +41,26 @@ fn image_sample(image: u32, uv: vec2f, repeats: bool) -> vec3f {
     let b = seen[1] * vec2f(size);
     let is_first = dot(a, a) >= dot(b, b);
     let longer = length(select(b, a, is_first));
-    if !(longer > 1.0) {
-        return image_level(image, 0u, uv, repeats);
-    }
     // The width of the parallelogram across its longer side.
     let wide = max(abs(a.x * b.y - a.y * b.x) / longer, 1.0);
-    let taps = clamp(ceil(longer / wide), 1.0, MOST_TAPS);
+    let is_wide = longer > 1.0;
+    let taps = select(1.0, clamp(ceil(longer / wide), 1.0, MOST_TAPS), is_wide);
     let last = f32(firstLeadingBit(min(size.x, size.y)));
-    let level = min(log2(max(wide, longer / taps)), last);
-    let lower = u32(level);
-    let upper = min(lower + 1u, u32(last));
-    let along = select(seen[1], seen[0], is_first);
+    let level = select(0.0, min(log2(max(wide, longer / taps)), last), is_wide);
+    let part = fract(level);
+    // Each tap is two samples if it is between two levels.
+    let rounds = select(1u, 2u, part > 0.0);
+    let along = select(vec2f(0.0), select(seen[1], seen[0], is_first), is_wide);
     var sum = vec3f(0.0);
-    for (var k = 0.0; k < taps; k += 1.0) {
-        let at = uv + ((k + 0.5) / taps - 0.5) * along;
-        sum += mix(image_level(image, lower, at, repeats), image_level(image, upper, at, repeats), level - f32(lower));
+    var k = 0u;
+    loop {
+        let at = uv + ((f32(k / rounds) + 0.5) / taps - 0.5) * along;
+        let is_upper = k % rounds == 1u;
+        sum += select(1.0 - part, part, is_upper) * image_level(image, u32(level) + u32(is_upper), at, repeats);
+        k++;
+        continuing {
+            break if k >= rounds * u32(taps);
+        }
     }
     return sum / taps;
 }
@@ -67,14 +72,18 @@ fn image_bilinear(image: u32, corner: vec2u, size: vec2u, uv: vec2f, repeats: bo
     let p = uv * vec2f(size) - 0.5;
     let base = floor(p);
     let f = p - base;
-    let lo = corner + image_index(vec2i(base), size, repeats);
-    let hi = corner + image_index(vec2i(base) + 1, size, repeats);
+    let lo = corner + image_index(base, size, repeats);
+    let hi = corner + image_index(base + 1.0, size, repeats);
     let top = mix(image_texel(image, lo), image_texel(image, vec2u(hi.x, lo.y)), f.x);
     let bottom = mix(image_texel(image, vec2u(lo.x, hi.y)), image_texel(image, hi), f.x);
     return mix(top, bottom, f.y);
 }
 
-fn image_index(p: vec2i, size: vec2u, repeats: bool) -> vec2u {
-    let n = vec2i(size);
-    return vec2u(select(clamp(p, vec2i(0), n - 1), (p % n + n) % n, repeats));
+// Returns the texel at a whole position. Remainders of integers are slow on processors.
+fn image_index(p: vec2f, size: vec2u, repeats: bool) -> vec2u {
+    let n = vec2f(size);
+    let rest = p - n * floor(p / n);
+    // The quotient may have been rounded.
+    let wrapped = select(rest, vec2f(0.0), rest >= n);
+    return vec2u(select(clamp(p, vec2f(0.0), n - 1.0), wrapped, repeats));
 }

@@ -95,6 +95,9 @@ fn parse_pixel(text: &str) -> Result<[u32; 2], String> {
     parsed().ok_or_else(|| format!("expected a pixel as COLUMN,ROW, such as 320,240, found `{text}`"))
 }
 
+/// The accuracy of rays in 64 bits for Jacobians, in radians, unless the scene specifies one. Derivatives magnify errors of method.
+const JACOBIAN_ACCURACY: f64 = 1e-8;
+
 /// Checks that the scene can give the results of the arguments.
 fn check(arguments: &Arguments, scene: &Scene) -> Result<(), Error> {
     if arguments.drift && scene.rays.sky_at_infinity {
@@ -125,6 +128,9 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Error> {
     let is_double = scene.rays.precision == Precision::Double;
     if let Some(radiation) = scene.radiation.as_mut().filter(|_| arguments.intensities) {
         radiation.refine(is_double);
+    }
+    if arguments.jacobian && is_double {
+        scene.rays.refine(JACOBIAN_ACCURACY);
     }
     let mut inputs = film.inputs();
     inputs.extend(arguments.rays.clone().map(|rays| (rays, "the file of rays")));

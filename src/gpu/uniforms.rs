@@ -1,6 +1,6 @@
 //! Packs the values of a scene's uniforms, by the names of their members in WGSL.
 
-use glam::DVec3;
+use glam::{DMat3, DVec3};
 
 use super::source::Uploads;
 use super::structure::Grid;
@@ -119,12 +119,22 @@ fn sky_row(sky: &Sky) -> Row {
     match sky {
         Sky::Color(color) => row! { color: Vec3(*color) },
         Sky::Transparent => row! { color: Vec3(DVec3::ZERO) },
-        Sky::Equirectangular(image, intensity) => row! { intensity: Float(*intensity), image: Uint(*image as u32) },
-        Sky::Faces(faces, intensity) => {
+        Sky::Equirectangular(image, intensity, rotation) => {
+            let own: Row = row! { intensity: Float(*intensity), image: Uint(*image as u32) };
+            [own, axes(rotation)].concat()
+        }
+        Sky::Faces(faces, intensity, rotation) => {
             let [px, nx, py, ny, pz, nz] = faces.map(|face| face as u32);
-            row! { faces: Uint4([px, nx, py, ny]), more_faces: Uint2([pz, nz]), intensity: Float(*intensity) }
+            let own: Row =
+                row! { faces: Uint4([px, nx, py, ny]), more_faces: Uint2([pz, nz]), intensity: Float(*intensity) };
+            [own, axes(rotation)].concat()
         }
     }
+}
+
+/// Returns the axes of a map in the scene.
+fn axes(rotation: &DMat3) -> Row {
+    row! { first: Vec3(rotation.x_axis), second: Vec3(rotation.y_axis), third: Vec3(rotation.z_axis) }
 }
 
 /// Returns the members of `schedule`.

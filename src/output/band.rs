@@ -35,6 +35,8 @@ pub const fn channels(layer: Layer) -> &'static [&'static str] {
         Layer::Intensity(k) => FREQUENCIES[0][(k % 8) as usize],
         Layer::OpticalDepth(k) => FREQUENCIES[1][(k % 8) as usize],
         Layer::MeanRedshift(k) => FREQUENCIES[2][(k % 8) as usize],
+        Layer::Magnification => &["magnification"],
+        Layer::Bundle => &["bundle.major", "bundle.minor", "bundle.angle"],
         Layer::Way => &["way.X", "way.Y", "way.Z"],
     }
 }

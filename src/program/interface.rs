@@ -34,8 +34,10 @@ pub enum Role {
     Tally,
     /// The number of pixels that need more samples.
     Refined,
-    /// The grid of rays on which stars are found.
-    SkyRays,
+    /// The ends of the rays of the grid.
+    GridEnds,
+    /// The light of the sky at these ends.
+    SkyLights,
     /// The cells of that grid that have starlight, behind the arguments of a dispatch over them.
     StarWork(Access),
     /// The number of each cell among these.
@@ -118,7 +120,7 @@ pub enum Access {
 }
 
 /// The renderer's bindings.
-const ROLES: [(&str, Role); 26] = [
+const ROLES: [(&str, Role); 27] = [
     ("pixels", Role::Pixels),
     ("moments", Role::Moments),
     ("list_in", Role::List(Access::Read)),
@@ -129,7 +131,8 @@ const ROLES: [(&str, Role); 26] = [
     ("frame", Role::Frame),
     ("tally", Role::Tally),
     ("refined", Role::Refined),
-    ("sky_rays", Role::SkyRays),
+    ("grid_ends", Role::GridEnds),
+    ("sky_lights", Role::SkyLights),
     ("star_work_in", Role::StarWork(Access::Read)),
     ("star_work_out", Role::StarWork(Access::Write)),
     ("star_slots", Role::StarSlots),

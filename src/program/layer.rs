@@ -47,6 +47,10 @@ pub enum Layer {
     OpticalDepth(u8),
     /// The mean redshift factor g of the light at a frequency of the scene, by its index, weighted by intensity.
     MeanRedshift(u8),
+    /// The solid angle of a bundle of light at the camera divided by its solid angle at the sky; negative if the image is mirrored.
+    Magnification,
+    /// The angular diameters of a pixel's bundle of light at the sky, in radians, and the angle of the larger one from north to east.
+    Bundle,
     /// The direction of the ray at its end, with the path length as its
     /// magnitude; used by measurements on images, and not written to files.
     Way,
@@ -98,6 +102,9 @@ impl Layer {
                 "the layers of crossings require objects, and cannot be combined with lighting = \"path-tracing\", \
                  image.adaptive or rays.max_splits = \"stochastic\"",
             ),
+            Self::Magnification | Self::Bundle if by_paths || adapts => Some(
+                "the layers `magnification` and `bundle` cannot be combined with lighting = \"path-tracing\" or image.adaptive",
+            ),
             Self::CrossingRedshift if !scene.has_frequencies() => Some(
                 "the layer `crossing_redshift` requires camera.observer and a law that defines the frequency of light",
             ),
@@ -127,6 +134,12 @@ impl Layer {
         matches!(self, Self::Intensity(_) | Self::OpticalDepth(_) | Self::MeanRedshift(_))
     }
 
+    /// Returns `true` if the layer describes the bundle of light of a pixel.
+    #[must_use]
+    pub fn is_of_bundles(self) -> bool {
+        matches!(self, Self::Magnification | Self::Bundle)
+    }
+
     /// Returns `true` if the layer describes the crossings of translucent surfaces.
     #[must_use]
     pub fn is_of_crossings(self) -> bool {
@@ -136,7 +149,10 @@ impl Layer {
     /// Returns `true` if the layer describes a path, and does not follow from its end.
     #[must_use]
     pub fn is_of_paths(self) -> bool {
-        matches!(self, Self::Depth | Self::Segments | Self::Steps) || self.is_of_crossings() || self.is_of_frequencies()
+        matches!(self, Self::Depth | Self::Segments | Self::Steps)
+            || self.is_of_crossings()
+            || self.is_of_frequencies()
+            || self.is_of_bundles()
     }
 
     /// Returns the type of the layer's values.
@@ -149,10 +165,13 @@ impl Layer {
             | Self::StandardError
             | Self::Redshift
             | Self::LuminanceM2
+            | Self::Magnification
             | Self::Intensity(_)
             | Self::OpticalDepth(_)
             | Self::MeanRedshift(_) => LayerKind::Scalar,
-            Self::Position | Self::Normal | Self::Way | Self::Accumulated | Self::ImageOrder => LayerKind::Vector,
+            Self::Position | Self::Normal | Self::Way | Self::Accumulated | Self::ImageOrder | Self::Bundle => {
+                LayerKind::Vector
+            }
             Self::CrossingRadius
             | Self::CrossingAzimuth
             | Self::CrossingTime
@@ -163,7 +182,7 @@ impl Layer {
     }
 
     /// Every layer that files can store.
-    pub const ALL: [Self; 42] = [
+    pub const ALL: [Self; 44] = [
         Self::Depth,
         Self::Segments,
         Self::Position,
@@ -182,6 +201,8 @@ impl Layer {
         Self::CrossingTime,
         Self::CrossingRedshift,
         Self::CrossingAngle,
+        Self::Magnification,
+        Self::Bundle,
         Self::Intensity(0),
         Self::Intensity(1),
         Self::Intensity(2),
@@ -241,6 +262,8 @@ impl Layer {
             Self::Intensity(k) => numbered!("intensity", k),
             Self::OpticalDepth(k) => numbered!("optical_depth", k),
             Self::MeanRedshift(k) => numbered!("mean_redshift", k),
+            Self::Magnification => "magnification",
+            Self::Bundle => "bundle",
             Self::Way => "way",
         }
     }
@@ -277,6 +300,12 @@ impl Layer {
             Self::OpticalDepth(_) => "Optical depth of matter at the frequency of this index",
             Self::MeanRedshift(_) => {
                 "Mean redshift factor g of the light at the frequency of this index, weighted by intensity"
+            }
+            Self::Magnification => {
+                "Solid angle of a bundle of light at the camera divided by that at the sky; negative if mirrored, 0 if unknown"
+            }
+            Self::Bundle => {
+                "Angular diameters of a pixel at the sky, in radians, and the angle of the larger one from +y to the east"
             }
             Self::Way => "Direction of the ray at its end",
         }

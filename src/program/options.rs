@@ -95,14 +95,14 @@ pub enum Pass {
     Record,
     /// Selects the pixels that take more samples.
     Refine,
+    /// Measures the bundles of light between rays.
+    MeasureBundles,
     /// Lists the cells between rays that have starlight.
     FindStars,
     /// Computes the starlight of these cells.
     LightStars,
     /// Gathers the starlight of each pixel.
     GatherStars,
-    /// Adds the starlight of each pixel to a sample.
-    AddStars,
     /// Computes integration steps only.
     Bare,
     /// Finds paths from lights to positions.
@@ -110,9 +110,6 @@ pub enum Pass {
 }
 
 impl Pass {
-    /// The passes over the grid of rays on which stars are found, in order.
-    pub const STARS: [Self; 3] = [Self::FindStars, Self::LightStars, Self::GatherStars];
-
     /// Returns the name of the entry point, which is also the file's name in `shaders/pass/`.
     #[must_use]
     pub fn entry(self) -> &'static str {
@@ -129,10 +126,10 @@ impl Pass {
             Self::Reshade => "reshade",
             Self::Record => "record",
             Self::Refine => "refine",
+            Self::MeasureBundles => "measure_bundles",
             Self::FindStars => "find_stars",
             Self::LightStars => "light_stars",
             Self::GatherStars => "gather_stars",
-            Self::AddStars => "add_stars",
             Self::Bare => "bare",
             Self::Shots => "shots",
         }

@@ -52,12 +52,14 @@ pub(super) fn picture_parts(scene: &Scene, features: &Features, names: &mut Name
         return Ok(());
     }
     names.when(features.keeps_orders, &["picture/orders_kept"]);
+    names.when(features.has_grid || features.keeps_footprints, &["picture/bundle/grid", "picture/bundle/footprint"]);
+    names.when(features.has_grid, &["picture/bundle/measured", "picture/bundle/layers"]);
     names.when(features.has_stars, &STARS);
     names.when(features.layers.contains(&Layer::Depth), &["picture/path_length"]);
     let layers = features
         .layers
         .iter()
-        .filter(|layer| layer.is_of_a_ray() && !layer.is_of_crossings())
+        .filter(|layer| layer.is_of_a_ray() && !layer.is_of_crossings() && !layer.is_of_bundles())
         .map(|layer| layer.name());
     names.make(generated::layers(&layers.collect::<Vec<_>>()));
     Ok(())
@@ -93,9 +95,9 @@ fn shift_part(features: &Features) -> &'static str {
     if features.follows_shift { "picture/shift_in_time" } else { "picture/shift" }
 }
 
-/// Returns the module for the footprints of pixels.
+/// Returns the module with the bundles of light of pixels.
 pub(super) fn bundle_part(features: &Features) -> &'static str {
-    if features.shades_ends() { "picture/bundle/stored" } else { "picture/bundle/corners" }
+    if features.shades_ends() { "picture/bundle/stored" } else { "picture/bundle/kept" }
 }
 
 /// Returns the module that selects the pixels that take a sample, and stores values at their corners.

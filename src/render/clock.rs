@@ -41,10 +41,10 @@ impl Stage {
             | Pass::Reshade
             | Pass::Record
             | Pass::Refine
+            | Pass::MeasureBundles
             | Pass::FindStars
             | Pass::LightStars
-            | Pass::GatherStars
-            | Pass::AddStars => Self::Shade,
+            | Pass::GatherStars => Self::Shade,
             _ => Self::Advance,
         }
     }

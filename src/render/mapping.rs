@@ -59,9 +59,11 @@ impl Renderer<'_> {
     fn map_tile(&self, tile: &Tile, part: Window, clock: &mut Clock, map: &mut LensMap) -> Result<(), RenderError> {
         let prepared = &self.prepared;
         let image = prepared.scene.image.size;
-        prepared.run_sample(tile, Sample::corners(part.origin, image), clock, &|_| {})?;
+        let before = prepared.program.features.margin().before;
+        let first = Sample { origin: part.origin, ..Sample::first(image) }.before(before);
+        prepared.run_sample(tile, first.grid(), clock, &|_| {})?;
         for number in 0..prepared.scene.image.samples {
-            let sample = Sample { origin: part.origin, image, number, is_grid: false, refines: None };
+            let sample = Sample { number, ..first };
             for round in 0..prepared.program.features.rounds {
                 prepared.run_round(tile, sample, round, clock)?;
                 let records = Records::take(prepared.gpu, &prepared.program, tile, &Role::PathEnds)?;
@@ -69,7 +71,7 @@ impl Renderer<'_> {
                 if !has_ends(ends, tile.pixels()) {
                     break;
                 }
-                put_ends(ends, tile.size, part, image[0], map.round(number, round));
+                put_ends(ends, (tile.size, before), part, image[0], map.round(number, round));
             }
         }
         Ok(())
@@ -130,15 +132,15 @@ fn is_read(channel: &str, features: &Features) -> bool {
     }
 }
 
-/// Copies the ends of a tile of this size into the planes of an image of this width.
-fn put_ends(ends: &[u32], tile: [u32; 2], part: Window, image_width: u32, round: &mut MapRound) {
+/// Copies the ends of a tile, with its size and the margin before its pixels, into the planes of an image of this width.
+fn put_ends(ends: &[u32], (tile, before): ([u32; 2], u32), part: Window, image_width: u32, round: &mut MapRound) {
     let [left, top] = part.origin.map(|at| at as usize);
     let [width, height] = part.size.map(|side| side as usize);
-    let [stride, tile_rows] = tile.map(|side| side as usize);
+    let ([stride, tile_rows], before) = (tile.map(|side| side as usize), before as usize);
     round.planes.par_iter_mut().zip(ends.par_chunks_exact(stride * tile_rows)).for_each(|(plane, own)| {
         let rows = plane.chunks_exact_mut(image_width as usize).skip(top).take(height);
-        rows.zip(own.chunks_exact(stride))
-            .for_each(|(row, own)| row[left..left + width].copy_from_slice(&own[..width]));
+        rows.zip(own.chunks_exact(stride).skip(before))
+            .for_each(|(row, own)| row[left..left + width].copy_from_slice(&own[before..before + width]));
     });
 }
 

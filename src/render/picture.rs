@@ -177,22 +177,19 @@ impl Renderer<'_> {
         let features = &self.prepared.program.features;
         let count = |margin: u32| size.map(|side| u64::from(side + margin)).iter().product::<u64>();
         let margin = features.margin().total();
-        let corners = if features.keeps_footprints { count(margin) } else { 0 };
         let samples = u64::from(round.until - round.begins());
-        let own = match (features.has_stars, features.is_one_sample) {
-            (true, true) => count(margin),
-            (true, false) => samples * count(0) + self.star_grids(round).count() as u64 * count(margin),
-            (false, _) => samples * count(0),
-        };
-        own + corners
+        if features.sample_is_grid {
+            return samples * count(margin);
+        }
+        samples * count(0) + self.grids(round).count() as u64 * count(margin)
     }
 
-    /// Returns the samples of a round before which stars are found on a grid of separate rays: the first, or all if they show different
-    /// moments.
-    fn star_grids(&self, round: &Round) -> impl Iterator<Item = u32> + Clone {
+    /// Returns the samples of a round before which the rays of a separate grid are followed: the first, or all if stars may be elsewhere at
+    /// other moments.
+    fn grids(&self, round: &Round) -> impl Iterator<Item = u32> + Clone {
         let features = &self.prepared.program.features;
-        let has_grids = features.has_stars && !features.is_one_sample;
-        let (first, changes) = (round.begins(), self.prepared.moments.len() > 1);
+        let has_grids = features.has_grid && !features.sample_is_grid;
+        let (first, changes) = (round.begins(), features.has_stars && self.prepared.moments.len() > 1);
         (first..round.until).filter(move |number| has_grids && (changes || *number == first))
     }
 
@@ -275,17 +272,14 @@ impl Renderer<'_> {
             return self.shade_tile(tile, Window { origin, size: part.size }, clock, map);
         }
         let first = round.begins();
-        if self.prepared.program.features.keeps_footprints {
-            self.prepared.run_sample(tile, Sample::corners(origin, self.prepared.scene.image.size), clock, &|_| {})?;
-        }
         if let Some(earlier) = round.earlier {
             earlier.put(self.prepared.gpu, &self.prepared.program, tile, part, before)?;
         }
         let image = self.prepared.scene.image.size;
-        let grids: Vec<u32> = self.star_grids(round).collect();
+        let grids: Vec<u32> = self.grids(round).collect();
         let samples = (first..round.until).flat_map(|number| {
             let sample = Sample { origin, image, number, is_grid: false, refines: None };
-            grids.contains(&number).then(|| sample.centers()).into_iter().chain([sample])
+            grids.contains(&number).then(|| sample.grid()).into_iter().chain([sample])
         });
         self.prepared.run_samples(tile, samples.collect::<Vec<_>>().into_iter(), clock, progress)?;
         Ok(())

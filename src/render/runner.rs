@@ -104,18 +104,14 @@ impl<'r, 'a> Runner<'r, 'a> {
                 self.begin_round(sample, round, clock)?;
             }
             self.record_round(sample, round, clock)?;
-            if sample.is_star_grid(&prepared.program.features) {
-                for pass in Pass::STARS {
-                    self.push(round, Step::of_stars(pass));
+            if sample.is_grid_of(&prepared.program.features) {
+                for pass in prepared.program.features.grid_passes() {
+                    self.push(round, Step::of_grid(pass));
                 }
             }
             if self.live.is_done() {
                 break;
             }
-        }
-        let features = &prepared.program.features;
-        if features.has_stars && !features.is_one_sample && sample.is_of_pixels() {
-            self.push(0, Step::of_stars(Pass::AddStars));
         }
         if let Some(refines) = sample.refines {
             self.begin_round(sample, 0, clock)?;
@@ -187,7 +183,7 @@ impl<'r, 'a> Runner<'r, 'a> {
         }
         let rounds = self.prepared.plan.batch.rounds;
         let key = |Recorded { round, step, .. }: &Recorded| {
-            let clears = matches!(step.pass, Pass::Refine | Pass::FindStars | Pass::GatherStars);
+            let clears = matches!(step.pass, Pass::Refine | Pass::FindStars) || self.clears_grid(step.pass);
             (u64::from(*round) / rounds, Stage::of(step.pass, *round, apart), clears.then_some(step.pass))
         };
         for steps in self.recorded.chunk_by(|a, b| key(a) == key(b)) {
@@ -226,19 +222,26 @@ impl<'r, 'a> Runner<'r, 'a> {
     /// Clears the buffers to which the passes from this step on add.
     fn clear_before(&self, Recorded { round, step, .. }: &Recorded, encoder: &mut CommandEncoder) {
         let lists = self.prepared.plan.batch;
+        if let (true, Some(ends)) = (self.clears_grid(step.pass), self.tile.buffer(&Role::GridEnds)) {
+            encoder.clear_buffer(ends, 0, None);
+        }
         let (buffer, size) = match step.pass {
             Pass::Setup if u64::from(*round) % lists.rounds == 0 => {
                 return self.clear_lists(encoder, u64::from(*round) / lists.rounds);
             }
             Pass::Refine => (self.tile.arguments(lists.place(step.written, *round).list), None),
             Pass::FindStars => (self.tile.buffer(&Role::StarWork(Access::Read)), Some(WORK_HEAD)),
-            // A pixel without a path in the next round has no ray on its grid.
-            Pass::GatherStars if self.prepared.program.features.rounds > 1 => (self.tile.buffer(&Role::SkyRays), None),
             _ => return,
         };
         if let Some(buffer) = buffer {
             encoder.clear_buffer(buffer, 0, size);
         }
+    }
+
+    /// Returns `true` if a pass begins a round of a grid with several: a pixel without a path in this round has no ray on its grid.
+    fn clears_grid(&self, pass: Pass) -> bool {
+        let features = &self.prepared.program.features;
+        pass == Pass::Setup && features.has_grid && features.rounds > 1
     }
 
     /// Records the copy of the number of rays that a step leaves.

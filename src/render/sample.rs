@@ -32,31 +32,16 @@ impl Refines {
     pub(super) const FIRST: Self = Self { listed: false, list: 1 };
 }
 
-/// Returns the number of the sample of rays through the corners of pixels.
-fn corners() -> u32 {
-    constant("camera/sample/point", "CORNERS") as u32
-}
-
 impl Sample {
-    /// Returns the sample of rays through the corners of pixels, which do not count as samples of a pixel.
-    pub(super) fn corners(origin: [u32; 2], image: [u32; 2]) -> Self {
-        Self { origin, image, number: corners(), is_grid: false, refines: None }
-    }
-
-    /// Returns the sample of rays through the centers of pixels on which stars are found, at the moment of the sample `number`. They do not
-    /// count as samples of a pixel.
-    pub(super) fn centers(self) -> Self {
+    /// Returns the sample of the grid of rays through the centers of pixels, at the moment of the sample `number`. They do not count as samples
+    /// of a pixel.
+    pub(super) fn grid(self) -> Self {
         Self { is_grid: true, ..self }
     }
 
-    /// Returns `true` if the sample counts as one of its pixel.
-    pub(super) fn is_of_pixels(&self) -> bool {
-        !self.is_grid && self.number != corners()
-    }
-
-    /// Returns `true` if stars are found between the rays of the sample.
-    pub(super) fn is_star_grid(&self, features: &Features) -> bool {
-        features.has_stars && (self.is_grid || features.is_one_sample && self.is_of_pixels())
+    /// Returns `true` if the rays of the sample are the grid.
+    pub(super) fn is_grid_of(&self, features: &Features) -> bool {
+        self.is_grid || features.sample_is_grid
     }
 
     /// Returns the first sample of every pixel, in a tile at the origin of the image.

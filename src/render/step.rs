@@ -98,8 +98,8 @@ impl Step {
         Self { pass: Pass::Refine, slots, read, written, dispatch, iteration: 0, again: false, first: false, weight: 1 }
     }
 
-    /// Returns a step for starlight, which uses neither the state of rays nor lists of pixels.
-    pub(super) fn of_stars(pass: Pass) -> Self {
+    /// Returns a step for bundles or starlight, which uses neither the state of rays nor lists of pixels.
+    pub(super) fn of_grid(pass: Pass) -> Self {
         let list = PixelList::Active(0);
         let dispatch = if pass == Pass::LightStars { Dispatch::Stars } else { Dispatch::Grid };
         let slots = Slots::only(0);

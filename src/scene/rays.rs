@@ -39,6 +39,15 @@ pub struct Rays {
     pub wavelength: f64,
 }
 
+impl Rays {
+    /// Requires an accuracy in radians, if the method is chosen for one and the scene does not specify an angle.
+    pub fn refine(&mut self, accuracy: f64) {
+        if let Some(auto) = self.auto.as_mut().filter(|auto| matches!(auto.accuracy, Accuracy::Pixels(_))) {
+            auto.accuracy = Accuracy::Radians(accuracy);
+        }
+    }
+}
+
 /// The table `[path_tracing]`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct PathTracing {

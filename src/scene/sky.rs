@@ -1,6 +1,6 @@
 //! The background of escaped rays.
 
-use glam::DVec3;
+use glam::{DMat3, DVec3};
 
 /// The table `[sky]`.
 #[derive(Debug, Clone, PartialEq)]
@@ -9,10 +9,12 @@ pub enum Sky {
     Color(DVec3),
     /// A transparent sky, which emits no light; files store the visible fraction of each pixel as alpha.
     Transparent,
-    /// An equirectangular environment map: its index in [`Scene::pictures`](super::Scene::pictures), and a factor of its radiance.
-    Equirectangular(usize, f64),
-    /// A cube map with the faces +x −x +y −y +z −z, seen from inside: indices in [`Scene::pictures`](super::Scene::pictures), and a factor.
-    Faces([usize; 6], f64),
+    /// An equirectangular environment map: its index in [`Scene::pictures`](super::Scene::pictures), a factor of its radiance, and its rotation
+    /// from the axes of the map to the scene.
+    Equirectangular(usize, f64, DMat3),
+    /// A cube map with the faces +x −x +y −y +z −z, seen from inside: indices in [`Scene::pictures`](super::Scene::pictures), a factor, and its
+    /// rotation.
+    Faces([usize; 6], f64, DMat3),
 }
 
 impl Sky {

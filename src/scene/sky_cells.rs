@@ -84,8 +84,8 @@ impl Scene {
         let faces: Vec<&Picture> = match &self.sky {
             _ if !wanted => return false,
             Sky::Color(_) | Sky::Transparent => return false,
-            Sky::Equirectangular(picture, _) => vec![&self.pictures[*picture]],
-            Sky::Faces(faces, _) => faces.iter().map(|face| &self.pictures[*face]).collect(),
+            Sky::Equirectangular(picture, ..) => vec![&self.pictures[*picture]],
+            Sky::Faces(faces, ..) => faces.iter().map(|face| &self.pictures[*face]).collect(),
         };
         // The solid angle of a pixel, up to a constant.
         let weight = |x: f64, y: f64| match faces.len() {
@@ -114,9 +114,9 @@ impl Scene {
     fn sky_pixels_around(&self) -> f64 {
         match self.sky {
             Sky::Color(_) | Sky::Transparent => 1.0,
-            Sky::Equirectangular(picture, _) => f64::from(self.pictures[picture].size[0]),
+            Sky::Equirectangular(picture, ..) => f64::from(self.pictures[picture].size[0]),
             // A pixel at the center of a face is 4/π as wide as the mean pixel, and less than half as wide at a corner.
-            Sky::Faces(faces, _) => {
+            Sky::Faces(faces, ..) => {
                 let widest = faces.iter().map(|face| self.pictures[*face].size[0]).max().unwrap_or(1);
                 2.0 * PI * f64::from(widest)
             }
@@ -128,15 +128,23 @@ impl Scene {
         match self.sky {
             Sky::Color(color) => color.element_sum() / 3.0,
             Sky::Transparent => 0.0,
-            Sky::Equirectangular(picture, intensity) => intensity * sample(&self.pictures[picture], place, true),
-            Sky::Faces(faces, intensity) => {
-                let (around, down) = (2.0 * PI * (place.x - 0.5), PI * place.y);
-                let d = DVec3::new(down.sin() * around.sin(), down.cos(), -down.sin() * around.cos());
-                let (face, at) = on_face(d);
+            Sky::Equirectangular(picture, intensity, rotation) => {
+                let d = rotation.transpose() * at_place(place);
+                let own = DVec2::new(0.5 + d.x.atan2(-d.z) / (2.0 * PI), d.y.clamp(-1.0, 1.0).acos() / PI);
+                intensity * sample(&self.pictures[picture], own, true)
+            }
+            Sky::Faces(faces, intensity, rotation) => {
+                let (face, at) = on_face(rotation.transpose() * at_place(place));
                 intensity * sample(&self.pictures[faces[face]], at, false)
             }
         }
     }
+}
+
+/// Returns the direction at a position of the sphere relative to its top left.
+fn at_place(place: DVec2) -> DVec3 {
+    let (around, down) = (2.0 * PI * (place.x - 0.5), PI * place.y);
+    DVec3::new(down.sin() * around.sin(), down.cos(), -down.sin() * around.cos())
 }
 
 /// Returns the index among the faces +x −x +y −y +z −z in a direction, and the position on the face from its top left.

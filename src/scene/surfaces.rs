@@ -50,8 +50,13 @@ impl Scene {
     /// Returns `true` if pixel footprints average textures or patterns, and there is something to average.
     #[must_use]
     pub fn has_footprints(&self) -> bool {
-        let varies = |material: &Material| material.color.is_averaged();
-        self.image.footprints && (!self.pictures.is_empty() || self.used_materials().any(varies))
+        self.image.footprints && (!self.pictures.is_empty() || self.filters_surfaces())
+    }
+
+    /// Returns `true` if pixel footprints average textures or patterns of surfaces.
+    #[must_use]
+    pub fn filters_surfaces(&self) -> bool {
+        self.image.footprints && self.used_materials().any(|material| material.color.is_averaged())
     }
 
     /// Returns the materials of its objects, repeated for each use.

@@ -2,7 +2,7 @@
 
 use std::f64::consts::{PI, TAU};
 
-use bentray::model::Value::{Float, Uint, Uint2, Uint4};
+use bentray::model::Value::{self, Float, Uint, Uint2, Uint4};
 use glam::{DVec2, DVec3, Vec3, Vec4};
 
 use super::{Errors, Random, U, awkward_directions, row, wide};
@@ -74,9 +74,15 @@ fn directions(seed: u64) -> Vec<[Vec4; 1]> {
     all
 }
 
+/// Returns the axes of a map that is not turned.
+fn axes() -> Vec<(&'static str, Value)> {
+    let axes = [("first", DVec3::X), ("second", DVec3::Y), ("third", DVec3::Z)];
+    axes.map(|(name, axis)| (name, Value::Vec3(axis))).to_vec()
+}
+
 #[test]
 fn equirectangular_sky() {
-    let sky = vec![("intensity", Float(0.5)), ("image", Uint(4))];
+    let sky = [vec![("intensity", Float(0.5)), ("image", Uint(4))], axes()].concat();
     let parts = ["segment/ray", "surface/image", "picture/sky/equirectangular"];
     let mut inputs = directions(112);
     // The centers of the texels, and the compass: -z at the center, +x right of it, +y at the top.
@@ -131,7 +137,8 @@ fn six_faces() {
     for (_, ahead, right, up) in FACES {
         assert_eq!(ahead.cross(up), right, "faces are seen from inside");
     }
-    let sky = vec![("faces", Uint4([0, 1, 2, 3])), ("more_faces", Uint2([4, 5])), ("intensity", Float(2.0))];
+    let faces = vec![("faces", Uint4([0, 1, 2, 3])), ("more_faces", Uint2([4, 5])), ("intensity", Float(2.0))];
+    let sky = [faces, axes()].concat();
     let inputs = directions(113);
     let probe = Probe::new(&["surface/image", "picture/sky/faces"]).stub(PICTURES).bind("sky", [sky]);
     let mut errors = Errors::of("picture/sky/faces");

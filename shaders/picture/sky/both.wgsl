@@ -6,9 +6,9 @@ fn note_side(x: Real3) {
     is_beyond = distance(x, law.other) < distance(x, law.center);
 }
 
-fn sky_radiance(d: vec3f) -> vec3f {
+fn sky_radiance(way: vec3f) -> vec3f {
     if is_beyond {
-        return beyond_sky_radiance(d);
+        return beyond_sky_radiance(way);
     }
-    return near_sky_radiance(d);
+    return near_sky_radiance(way);
 }

@@ -6,6 +6,6 @@ struct Sky {
 
 var<uniform> sky: Sky;
 
-fn sky_radiance(d: vec3f) -> vec3f {
+fn sky_radiance(way: vec3f) -> vec3f {
     return sky.color;
 }

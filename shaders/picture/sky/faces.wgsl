@@ -6,9 +6,18 @@ struct Sky {
     faces: vec4u,
     more_faces: vec2u,
     intensity: f32,
+    // The axes of the map in the scene.
+    first: vec3f,
+    second: vec3f,
+    third: vec3f,
 }
 
 var<uniform> sky: Sky;
+
+// Returns a direction of the scene in the axes of the map.
+fn in_sky_axes(d: vec3f) -> vec3f {
+    return vec3f(dot(sky.first, d), dot(sky.second, d), dot(sky.third, d));
+}
 
 // The face that a direction points to, and a vector in the axes of that face: right, up and ahead.
 struct SkyFace {
@@ -35,11 +44,12 @@ fn sky_span(d: vec3f, step: vec3f) -> vec2f {
     return 0.5 * vec2f(q.x - p.x / p.z * q.z, -q.y + p.y / p.z * q.z) / p.z;
 }
 
-fn sky_radiance(d: vec3f) -> vec3f {
+fn sky_radiance(way: vec3f) -> vec3f {
+    let d = in_sky_axes(way);
     let ahead = sky_face(d, d);
     let p = ahead.turned;
     if FILTERS_IMAGES {
-        note_spans(sky_span(d, footprint[0]), sky_span(d, footprint[1]));
+        note_spans(sky_span(d, in_sky_axes(footprint[0])), sky_span(d, in_sky_axes(footprint[1])));
     }
     return sky.intensity * image_sample(ahead.face, 0.5 + 0.5 * vec2f(p.x, -p.y) / p.z, false);
 }

@@ -24,14 +24,16 @@ var<private> corner_missing: u32;
 // The areas at its corners.
 var<private> corner_areas: vec4f;
 
-fn sky_ray_at(pixel: vec2u, k: u32) -> SkyRay {
-    return sky_rays[place_in_tile(pixel + vec2u(k & 3u, k >> 2u) - 1u)];
+// Returns the position in the grid of one of the 16 rays around a cell.
+fn patch_place_at(pixel: vec2u, k: u32) -> u32 {
+    return place_in_tile(pixel + vec2u(k & 3u, k >> 2u) - 1u);
 }
 
 // Reads the patch around a cell. Returns `false` if the cell does not show one smooth part of a sky.
 fn load_patch(pixel: vec2u) -> bool {
     for (var k = 0u; k < 4u; k++) {
-        corner_rays[k] = sky_ray_at(pixel, 5u + (k & 1u) + 4u * (k >> 1u));
+        let place = patch_place_at(pixel, 5u + (k & 1u) + 4u * (k >> 1u));
+        corner_rays[k] = SkyRay(grid_ends[place].place, star_end(place), sky_lights[place]);
     }
     let a = corner_rays[0];
     let b = corner_rays[1];
@@ -56,7 +58,7 @@ fn load_patch(pixel: vec2u) -> bool {
         corner_rays[corner_missing] = filled;
     }
     for (var k = 0u; k < 16u; k++) {
-        patch_ways[k] = sky_ray_at(pixel, k).way;
+        patch_ways[k] = grid_ends[patch_place_at(pixel, k)].place;
     }
     for (var k = 0u; k < 4u; k++) {
         patch_ways[5u + (k & 1u) + 4u * (k >> 1u)] = corner_rays[k].way;
@@ -95,7 +97,7 @@ fn continue_patch(pixel: vec2u, end: u32, k: u32, near: u32, far: u32) {
 }
 
 fn belongs(pixel: vec2u, end: u32, k: u32, near: u32) -> bool {
-    return sky_ray_at(pixel, k).end == end && distance(patch_ways[k], patch_ways[near]) < WIDEST_CELL;
+    return grid_ends[patch_place_at(pixel, k)].end == end && distance(patch_ways[k], patch_ways[near]) < WIDEST_CELL;
 }
 
 // Returns the area at a corner of the cell.
@@ -107,7 +109,7 @@ fn corner_area(k: u32) -> f32 {
 fn light_of_cell(pixel: vec2u) -> array<vec3f, 16> {
     cell_light = array<vec3f, 16>();
     if load_patch(pixel) {
-        cell_sky = star_skies[(corner_rays[select(0u, 3u, corner_missing == 0u)].end & 1u)];
+        cell_sky = star_sky(corner_rays[select(0u, 3u, corner_missing == 0u)].end);
         find_images();
     } else {
         add_edge();

@@ -56,7 +56,9 @@ fn patch_place(s: vec3f, start: vec2f) -> vec2f {
     let first = normalize(cross(s, select(vec3f(1.0, 0.0, 0.0), vec3f(0.0, 1.0, 0.0), abs(s.x) > 0.6)));
     let second = cross(s, first);
     var at = start;
-    for (var i = 0u; i < NEWTON_ROUNDS; i++) {
+    var i = 0u;
+    var settled = false;
+    loop {
         let point = patch_point(at);
         let off = vec2f(dot(point.way - s, first), dot(point.way - s, second));
         let across = vec2f(dot(point.across, first), dot(point.across, second));
@@ -64,9 +66,16 @@ fn patch_place(s: vec3f, start: vec2f) -> vec2f {
         let area = across.x * down.y - across.y * down.x;
         let change = vec2f(off.x * down.y - off.y * down.x, across.x * off.y - across.y * off.x) / area;
         at -= clamp(change, vec2f(-0.5), vec2f(0.5));
+        i++;
+        settled = all(abs(change) < vec2f(LAST_CHANGE));
+        continuing {
+            break if settled || i >= NEWTON_ROUNDS;
+        }
     }
     let far = any(abs(at - start) > vec2f(1.0));
     return select(at, start, far || !(at.x * at.y < 1e3));
 }
 
 const NEWTON_ROUNDS: u32 = 4u;
+// A change of the position after which the next one would be below rounding.
+const LAST_CHANGE: f32 = 1e-3;

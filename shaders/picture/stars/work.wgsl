@@ -44,7 +44,7 @@ fn is_lit(pixel: vec2u) -> bool {
     }
     let place = place_in_tile(pixel);
     let below = place + frame.size.x;
-    let ends = vec4u(sky_rays[place].end, sky_rays[place + 1u].end, sky_rays[below].end, sky_rays[below + 1u].end);
+    let ends = vec4u(star_end(place), star_end(place + 1u), star_end(below), star_end(below + 1u));
     if any(ends != vec4u(ends.x)) {
         return true;
     }
@@ -52,37 +52,50 @@ fn is_lit(pixel: vec2u) -> bool {
         return false;
     }
     let corners = array<vec3f, 4>(
-        sky_rays[place].way,
-        sky_rays[place + 1u].way,
-        sky_rays[below].way,
-        sky_rays[below + 1u].way,
+        grid_ends[place].place,
+        grid_ends[place + 1u].place,
+        grid_ends[below].place,
+        grid_ends[below + 1u].place,
     );
-    let own = star_skies[ends.x & 1u];
+    let own = star_sky(ends.x);
     let bulge = bent(pixel, 1u, corners[0], corners[1], ends.x) + bent(pixel, frame.size.x, corners[0], corners[2], ends.x);
-    var lit = spread(corners) > WIDEST_CELL;
-    var scan = star_scan(corners, bulge);
+    // Few cells cover several faces, and are listed without a test.
+    let faces = faces_of(corners, bulge);
+    return spread(corners) > WIDEST_CELL || countOneBits(faces) != 1u || has_star(corners, own, firstTrailingBit(faces), bulge);
+}
+
+// Returns `true` if there is a star in the box of a cell on a face.
+fn has_star(corners: array<vec3f, 4>, own: StarSky, face: u32, bulge: f32) -> bool {
+    let within = face_box(face, corners, own.buckets, bulge);
+    let bucket = own.first_bucket + face * own.buckets * own.buckets;
+    var row = within.first.y;
+    var star = star_buckets[bucket + row * own.buckets + within.first.x];
+    var until = select(star, star_buckets[bucket + row * own.buckets + within.last.x + 1u], within.count > 0u);
+    var found = false;
     loop {
-        if scan.star < scan.until {
-            let at = star_list[scan.star].place;
-            lit |= all(at >= scan.within.low) & all(at <= scan.within.high);
-            scan.star++;
+        if star < until {
+            let at = star_list[star].place;
+            found = all(at >= within.low) & all(at <= within.high);
+            star++;
         } else {
-            scan = next_range(scan, corners, own, bulge);
+            row++;
+            star = star_buckets[bucket + row * own.buckets + within.first.x];
+            until = select(star, star_buckets[bucket + row * own.buckets + within.last.x + 1u], row <= within.last.y);
         }
         continuing {
-            break if lit || !scan.more;
+            break if found || (star >= until && row >= within.last.y);
         }
     }
-    return lit;
+    return found;
 }
 
 // Returns how far the sides of a cell in one direction of the grid are curved, from the rays before and after them.
 fn bent(pixel: vec2u, stride: u32, a: vec3f, b: vec3f, end: u32) -> f32 {
     let place = place_in_tile(pixel);
-    let before = sky_rays[place - stride];
-    let after = sky_rays[place + 2u * stride];
-    let first = select(0.0, distance(before.way + b, 2.0 * a), before.end == end);
-    let last = select(0.0, distance(a + after.way, 2.0 * b), after.end == end);
+    let before = grid_ends[place - stride];
+    let after = grid_ends[place + 2u * stride];
+    let first = select(0.0, distance(before.place + b, 2.0 * a), before.end == end);
+    let last = select(0.0, distance(a + after.place, 2.0 * b), after.end == end);
     // A parabola deviates from its chord by an eighth of the second difference.
     return 0.25 * min(max(first, last), WIDEST_CELL);
 }
@@ -118,12 +131,22 @@ fn light_listed_cell(n: u32) {
 
 // Returns the light that a pixel receives from the stars in the 16 cells around it.
 fn starlight(pixel: vec2u) -> vec3f {
-    var sum = vec3f(0.0);
+    let last = place_in_tile(pixel + 1u);
+    // The cells with light, as bits.
+    var cells = 0u;
     for (var k = 0u; k < 16u; k++) {
-        let slot = star_slots[place_in_tile(pixel + 1u - vec2u(k & 3u, k >> 2u))];
-        if slot > 0u {
-            let at = 3u * k;
-            sum += vec3f(star_cells[slot - 1u].light[at], star_cells[slot - 1u].light[at + 1u], star_cells[slot - 1u].light[at + 2u]);
+        cells |= min(star_slots[last - (k & 3u) - (k >> 2u) * frame.size.x], 1u) << k;
+    }
+    var sum = vec3f(0.0);
+    loop {
+        if cells != 0u {
+            let k = firstTrailingBit(cells);
+            let n = star_slots[last - (k & 3u) - (k >> 2u) * frame.size.x] - 1u;
+            sum += vec3f(star_cells[n].light[3u * k], star_cells[n].light[3u * k + 1u], star_cells[n].light[3u * k + 2u]);
+            cells &= cells - 1u;
+        }
+        continuing {
+            break if cells == 0u;
         }
     }
     return sum;

@@ -128,7 +128,9 @@ impl Arguments {
         let usual = |layer: Layer| match layer {
             Layer::Redshift => scene.has_frequencies(),
             Layer::ImageOrder => scene.has_orders(),
-            layer if layer.is_of_crossings() || layer.is_of_paths() && self.from.is_some() => false,
+            layer if layer.is_of_crossings() || layer.is_of_bundles() || layer.is_of_paths() && self.from.is_some() => {
+                false
+            }
             Layer::Intensity(_) => layer.refused_by(scene).is_none(),
             Layer::OpticalDepth(_) | Layer::MeanRedshift(_) => false,
             Layer::Samples => scene.image.adaptive.is_some(),

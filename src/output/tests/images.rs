@@ -53,6 +53,8 @@ fn bands(width: u32, heights: &[u32]) -> Vec<Band> {
                 (Layer::CrossingTime, Plane::Crossings([31, 32, 33, 34].map(plane))),
                 (Layer::CrossingRedshift, Plane::Crossings([35, 36, 37, 38].map(plane))),
                 (Layer::CrossingAngle, Plane::Crossings([39, 40, 41, 42].map(plane))),
+                (Layer::Magnification, Plane::Scalar(plane(67))),
+                (Layer::Bundle, Plane::Vector([68, 69, 70].map(plane))),
             ]
             .into_iter()
             .chain((0..8).map(|k| (Layer::Intensity(k), Plane::Scalar(plane(43 + u32::from(k))))))

@@ -21,14 +21,15 @@ impl Margin {
 }
 
 impl Features {
-    /// Returns the number of extra columns and rows of a tile: the corners of its last pixels are shared with the next pixels, and stars near
-    /// it are found on a grid that continues on all sides.
+    /// Returns the number of extra columns and rows of a tile: a grid continues on all sides, and the corners of the last pixels of an
+    /// adaptive image are shared with the next pixels.
     #[must_use]
     pub fn margin(&self) -> Margin {
-        if self.has_stars {
-            let side = constant("picture/stars/ray", "STAR_MARGIN") as u32;
+        if self.has_grid {
+            let name = if self.has_stars { "STAR_MARGIN" } else { "BUNDLE_MARGIN" };
+            let side = constant("picture/bundle/grid", name) as u32;
             return Margin { before: side, after: side };
         }
-        Margin { before: 0, after: (self.adapts || self.keeps_footprints && !self.shades_ends()).into() }
+        Margin { before: 0, after: self.adapts.into() }
     }
 }

@@ -141,8 +141,12 @@ pub struct Features {
     pub has_two_skies: bool,
     /// The sky has stars.
     pub has_stars: bool,
-    /// Every pixel has one sample.
-    pub is_one_sample: bool,
+    /// The rays through the centers of pixels are a grid, between which bundles of light are measured or stars are found.
+    pub has_grid: bool,
+    /// The only sample of each pixel is the ray of the grid.
+    pub sample_is_grid: bool,
+    /// The light of the sky is added after the bundles are measured.
+    pub defers_sky: bool,
     /// The sky is transparent.
     pub sees_through: bool,
     /// Surfaces or the sky show images.
@@ -218,6 +222,10 @@ impl Features {
         let volumes = VolumeFeatures::of(scene, options, ends_with_steps);
         let knows_shift = beams || keeps_shift(scene, options) || volumes.shifts_volumes;
         let follows_paths = is_picture && scene.rays.path_tracing.is_some();
+        let keeps_footprints = is_picture && keeps_footprints(scene, ends);
+        let has_grid = is_picture && ends != PathEnds::Given && has_grid(scene, options, keeps_footprints);
+        let is_sampled_once = scene.image.samples == 1 && ends == PathEnds::Followed;
+        let sample_is_grid = has_grid && is_sampled_once && (!keeps_footprints || defers_sky(scene, options));
         let (is_occluded, follows_lines) = (scene.is_occluded(), scene.lines().next().is_some());
         Self {
             mode,
@@ -288,7 +296,9 @@ impl Features {
             joins_whole,
             has_two_skies: is_picture && scene.sky_other_side.is_some(),
             has_stars: is_picture && ends == PathEnds::Followed && scene.has_stars(),
-            is_one_sample: scene.image.samples == 1,
+            has_grid,
+            sample_is_grid,
+            defers_sky: sample_is_grid && keeps_footprints,
             sees_through: is_picture && scene.sky == Sky::Transparent,
             has_images: !scene.pictures.is_empty(),
             has_vertex_colors: scene.uses_vertex_colors(),
@@ -300,7 +310,7 @@ impl Features {
             keeps_errors: scene.rays.control.kind.keeps_errors,
             has_structure: !structure.solids.is_empty(),
             is_glossy: scene.used_materials().any(|material| material.surface.facts().is_glossy),
-            keeps_footprints: is_picture && keeps_footprints(scene, ends),
+            keeps_footprints,
             beams,
             shifts_hues: beams && camera.is_some_and(|camera| camera.color_shift),
             knows_shift,
@@ -326,6 +336,18 @@ impl Features {
             _ => None,
         };
         self.layers.iter().filter_map(own)
+    }
+
+    /// Returns `true` if the bundle of light of each pixel is stored for its samples.
+    #[must_use]
+    pub fn keeps_bundles(&self) -> bool {
+        self.keeps_footprints && self.has_grid && !self.defers_sky
+    }
+
+    /// Returns `true` if layers describe the bundles of light of pixels.
+    #[must_use]
+    pub fn describes_bundles(&self) -> bool {
+        self.has_grid && self.layers.iter().any(|layer| layer.is_of_bundles())
     }
 
     /// Returns `true` if stored ends of paths are shaded, and no path is followed.
@@ -372,6 +394,19 @@ fn schedule(scene: &Scene, options: &ProgramOptions, fits: bool) -> Schedule {
 /// Returns `true` if the footprints of pixels are computed; a map of path ends is for images of other scenes, too.
 fn keeps_footprints(scene: &Scene, ends: PathEnds) -> bool {
     scene.has_footprints() || ends == PathEnds::Stored
+}
+
+/// Returns `true` if there is a grid of rays through the centers of pixels: for stars, for footprints, or for layers of bundles.
+fn has_grid(scene: &Scene, ProgramOptions { layers, ends, .. }: &ProgramOptions, keeps_footprints: bool) -> bool {
+    let has_stars = *ends == PathEnds::Followed && scene.has_stars();
+    let describes = |layer: &Layer| layer.is_of_bundles() && layer.refused_by(scene).is_none();
+    has_stars || keeps_footprints || layers.iter().any(describes)
+}
+
+/// Returns `true` if the light of the sky can be added after all rays have ended, which requires that nothing else is filtered, and that
+/// light is not divided by frequency or order.
+fn defers_sky(scene: &Scene, ProgramOptions { layers, .. }: &ProgramOptions) -> bool {
+    !scene.filters_surfaces() && scene.radiation.is_none() && !layers.contains(&Layer::ImageOrder)
 }
 
 /// Returns `true` if the crossings of translucent surfaces are stored.

@@ -27,10 +27,14 @@ impl Features {
             passes.push(if self.is_picture() { Pass::Shade } else { Pass::Record });
         }
         passes.extend(self.adapts.then_some(Pass::Refine));
-        if self.has_stars {
-            passes.extend(Pass::STARS);
-            passes.extend((!self.is_one_sample).then_some(Pass::AddStars));
-        }
+        passes.extend(self.grid_passes());
         passes
+    }
+
+    /// Returns the passes after each round of the grid.
+    pub fn grid_passes(&self) -> impl Iterator<Item = Pass> {
+        let measures = self.has_grid && (self.keeps_footprints || self.describes_bundles());
+        let stars = self.has_stars.then_some([Pass::FindStars, Pass::LightStars, Pass::GatherStars]);
+        measures.then_some(Pass::MeasureBundles).into_iter().chain(stars.into_iter().flatten())
     }
 }

@@ -1,11 +1,11 @@
 //! The reader of `[sky]`, the background; `sky = "transparent"` means no background.
 
-use glam::DVec3;
+use glam::{DMat3, DVec3};
 
 use super::stars;
-use crate::assets::Files;
+use crate::assets::{Files, Transform};
 use crate::document::reader::TableReader;
-use crate::document::values::{color, not_negative, word};
+use crate::document::values::{angles, color, not_negative, word};
 use crate::document::{Node, Value};
 use crate::model::Law;
 use crate::scene::{Sky, Stars};
@@ -18,7 +18,7 @@ pub fn read(root: &TableReader, files: &mut Files, law: Option<&dyn Law>, paths:
         return Skies { near: if sky.is_some() { Sky::Transparent } else { BLACK }, ..Skies::default() };
     }
     let Some(table) = root.reader.open("sky", node) else { return Skies::default() };
-    let (near, stars) = (one(&table, files), stars::read(&table, files));
+    let (near, stars) = one(&table, files);
     let beyond = table.subtable("other_side", "sky.other_side").map(|beyond| {
         if law.is_some_and(|law| law.facts().throat.is_none()) {
             let problem = "`other_side` requires a wormhole";
@@ -28,7 +28,7 @@ pub fn read(root: &TableReader, files: &mut Files, law: Option<&dyn Law>, paths:
             let problem = "path tracing uses one sky for both sides";
             table.fault(&["other_side"], problem, "remove it, or use lighting = \"direct\"");
         }
-        let sky = (one(&beyond, files), stars::read(&beyond, files));
+        let sky = one(&beyond, files);
         beyond.finish();
         sky
     });
@@ -55,7 +55,14 @@ impl Default for Skies {
 
 const BLACK: Sky = Sky::Color(DVec3::ZERO);
 
-fn one(table: &TableReader, files: &mut Files) -> Sky {
+/// Reads a sky and its stars, which one rotation turns.
+fn one(table: &TableReader, files: &mut Files) -> (Sky, Option<Stars>) {
+    let rotate = table.or("rotate", DVec3::ZERO, angles);
+    let rotation = Transform::new(DVec3::ONE, rotate, DVec3::ZERO).0.matrix3;
+    (background(table, rotation, files), stars::read(table, rotation, files))
+}
+
+fn background(table: &TableReader, rotation: DMat3, files: &mut Files) -> Sky {
     let reader = table.reader;
     let sky = match table.one_of(&["color", "image", "faces"]) {
         Some(("color", node)) => reader.accept(color(node).map(Sky::Color)),
@@ -63,9 +70,9 @@ fn one(table: &TableReader, files: &mut Files) -> Sky {
             let intensity = table.or("intensity", 1.0, not_negative);
             if key == "image" {
                 let picture = files.picture(reader, node);
-                picture.map(|picture| Sky::Equirectangular(picture, intensity))
+                picture.map(|picture| Sky::Equirectangular(picture, intensity, rotation))
             } else {
-                faces(table, node, files).map(|faces| Sky::Faces(faces, intensity))
+                faces(table, node, files).map(|faces| Sky::Faces(faces, intensity, rotation))
             }
         }
         None => None,

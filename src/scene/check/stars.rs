@@ -1,10 +1,10 @@
 //! The reader of `sky.stars`: a file, or a table with a file.
 
-use glam::DVec3;
+use glam::DMat3;
 
-use crate::assets::{Files, Transform};
+use crate::assets::Files;
 use crate::document::reader::TableReader;
-use crate::document::values::{angles, not_negative, number, number_where};
+use crate::document::values::{not_negative, number, number_where};
 use crate::document::{Node, Value};
 use crate::model::{Camera, Law};
 use crate::scene::{Image, Precision, Rays, Stars};
@@ -13,26 +13,29 @@ use crate::scene::{Image, Precision, Rays, Stars};
 const USUAL_SIZE: f64 = 2e-4;
 
 /// Reads the stars of a sky, if it has any.
-pub(super) fn read(sky: &TableReader, files: &mut Files) -> Option<Stars> {
+pub(super) fn read(sky: &TableReader, rotation: DMat3, files: &mut Files) -> Option<Stars> {
     let node = sky.node("stars")?;
     if let Value::Text(_) = node.value {
-        return stars(Some(node), None, sky, files);
+        return stars(Some(node), None, (sky, rotation), files);
     }
     let table = sky.reader.open("sky.stars", node)?;
     let file = table.required_node("file", "\"stars.csv\"");
-    let stars = stars(file, Some(&table), sky, files);
+    let stars = stars(file, Some(&table), (sky, rotation), files);
     table.finish();
     stars
 }
 
-fn stars(file: Option<&Node>, table: Option<&TableReader>, sky: &TableReader, files: &mut Files) -> Option<Stars> {
+fn stars(
+    file: Option<&Node>,
+    table: Option<&TableReader>,
+    (sky, rotation): (&TableReader, DMat3),
+    files: &mut Files,
+) -> Option<Stars> {
     let size = number_where("an angle above 0, at most 1 degree", |x| x > 0.0 && x <= 1.0);
     let intensity = table.map_or(1.0, |table| table.or("intensity", 1.0, not_negative));
     let limit = table.map_or(f64::INFINITY, |table| table.or("limit", f64::INFINITY, number));
-    let rotate = table.map_or(DVec3::ZERO, |table| table.or("rotate", DVec3::ZERO, angles));
     let size = table.map_or(USUAL_SIZE, |table| table.or("size", USUAL_SIZE, size)).to_radians();
     let catalog = files.catalog(sky.reader, file?)?;
-    let rotation = Transform::new(DVec3::ONE, rotate, DVec3::ZERO).0.matrix3;
     Some(Stars { catalog, intensity, limit, rotation, size })
 }
 

@@ -139,13 +139,14 @@ pub(super) fn fixed() -> Vec<KeyReference> {
                 "cube map: the faces +x, -x, +y, -y, +z, -z, seen from inside";
             intensity if "image or faces": "number, 0 or above" = "1", "factor on the radiance of the environment map";
             stars: "file or { file, .. }" = "none", "stars that are points, from a catalog: see sky.stars";
+            rotate: "[x, y, z]" = "[0, 0, 0]",
+                "rotation of images and stars about the x, then y, then z axis, in degrees; without it, declination 90 is at +y, right ascension 0 at -z";
             other_side if r#"law.kind = "wormhole""#: "table" = "the same sky", "background for rays that escape on the other side";
         }
         "sky.stars" {
             file: "file" = "required", "catalog in CSV, with the columns ra (or ra_h), dec, mag, and b_v or temperature";
             intensity: "number, 0 or above" = "1", "factor on the light of the stars; 1 gives cd/m²";
             limit: "number" = "none", "magnitude of the faintest stars";
-            rotate: "[x, y, z]" = "[0, 0, 0]", "rotation about the x, then y, then z axis, in degrees; declination 90 is at +y, right ascension 0 at -z";
             size: "number above 0, at most 1" = "2e-4", "diameter of a star, in degrees, which limits its brightness on critical curves";
         }
         "output" {

@@ -4,7 +4,7 @@ use super::{Scene, mistakes_of};
 use crate::assets::Files;
 use crate::model::medium::Grid;
 use crate::scene::{Diagnostic, Interior, Mesh, Pattern, Picture, SceneError, Sky, Substance};
-use glam::{Vec2, Vec3};
+use glam::{DMat3, Vec2, Vec3};
 use image::{DynamicImage, GrayImage, ImageFormat, Luma, Rgb, Rgb32FImage, RgbImage};
 use std::fs;
 use std::path::Path;
@@ -163,7 +163,7 @@ fn a_scene_loads_each_file_once() {
     fs::write(path("scene.toml"), text).expect("written");
     let scene = Scene::load(&path("scene.toml"), &[]).unwrap_or_else(|e| panic!("{e}"));
     assert_eq!(scene.pictures.len(), 2);
-    assert_eq!(scene.sky, Sky::Faces([0, 1, 0, 0, 1, 0], 2.0));
+    assert_eq!(scene.sky, Sky::Faces([0, 1, 0, 0, 1, 0], 2.0, DMat3::IDENTITY));
     assert!(matches!(scene.materials[0].color, Pattern::Picture { picture: 1, .. }));
 
     // An error of a file is reported once: in the file if it has lines, and otherwise at its first reference.

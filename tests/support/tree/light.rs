@@ -70,7 +70,8 @@ pub fn sky(scene: &Scene, d: DVec3) -> DVec3 {
     match scene.sky {
         Sky::Color(color) => color,
         Sky::Transparent => DVec3::ZERO,
-        Sky::Equirectangular(picture, intensity) => {
+        Sky::Equirectangular(picture, intensity, rotation) => {
+            let d = rotation.transpose() * d;
             // −z is at the center, +x to its right, +y at the top.
             let picture = &scene.pictures[picture];
             let (u, v) = (0.5 + d.x.atan2(-d.z) / (2.0 * PI), 0.5 - d.y.atan2(d.x.hypot(d.z)) / PI);

@@ -1,0 +1,22 @@
+// Measures the bundles of light of all pixels, after each round of the grid.
+
+@compute @workgroup_size(GROUP)
+fn measure_bundles(own: Invocation) {
+    let spot = grid_pixel(own);
+    if spot.valid && inside_margin(spot.pixel) {
+        let measured = measured_bundle(spot.pixel);
+        if KEEPS_BUNDLES {
+            if frame.branch == 0u {
+                pixel_bundles[place_in_tile(spot.pixel)] = bundle_of(measured);
+            }
+        }
+        if DESCRIBES_BUNDLES {
+            if frame.branch == 0u {
+                keep_bundle_layers(spot.pixel, measured);
+            }
+        }
+        if DEFERS_SKY {
+            add_sky(spot.pixel, measured);
+        }
+    }
+}
