@@ -36,8 +36,11 @@ fn a_turned_sky_is_seen_by_a_turned_camera() {
         let [x, y, z] = [20_f64, 50.0, -35.0].map(f64::to_radians);
         DMat3::from_rotation_z(z) * DMat3::from_rotation_y(y) * DMat3::from_rotation_x(x) * v
     };
-    for sky in ["image = \"data/stars.png\"", "faces = [F, F, F, F, F, F]", "stars = { file = \"data/stars.csv\", limit = 4, intensity = 1e5 }"]
-    {
+    for sky in [
+        "image = \"data/stars.png\"",
+        "faces = [F, F, F, F, F, F]",
+        "stars = { file = \"data/stars.csv\", limit = 4, intensity = 1e5 }",
+    ] {
         let sky = sky.replace('F', "\"data/graticule.png\"");
         let seen = |rotate: &str, ahead: DVec3, up: DVec3| {
             let [ahead, up] = [ahead, up].map(|v| v.to_array());

@@ -21,6 +21,7 @@ pub(crate) const SYNONYMS: &[(&[&str], &str)] = &[
     (&["bits", "depth", "bpp", "bitdepth"], "bit_depth"),
     (&["tone_map", "tonemapping", "tone_mapping", "filter"], "tonemap"),
     (&["gain", "brightness", "ev"], "exposure"),
+    (&["bloom", "glow", "halo", "flare"], "glare"),
     (&["aces", "agx", "reinhard"], "filmic"),
     // Cameras and observers.
     (&["plane", "parallel", "ortho"], "orthographic"),

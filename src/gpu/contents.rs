@@ -10,7 +10,7 @@ use wgpu::{Buffer, BufferUsages, Texture};
 
 use super::records::pack;
 use super::source::Uploads;
-use super::star_buckets::sorted_stars;
+use super::star_buckets::StarSkies;
 use super::textures::upload_picture;
 use super::uniforms::schedule_values;
 use super::{Geometry, Gpu, GpuError, LightGridData};
@@ -27,7 +27,12 @@ pub struct SceneBuffers {
     buffers: BTreeMap<Role, Buffer>,
     /// Textures, by their index in the scene.
     pictures: BTreeMap<usize, (Picture, Texture)>,
+    /// The stars in the buffers.
+    stars: StarSkies,
 }
+
+/// The lists of stars, which a film keeps.
+const STARS: [&str; 3] = ["star_list", "star_buckets", "star_means"];
 
 impl SceneBuffers {
     /// Uploads the values of `scene` that `program` binds, with the `fields` of its lights' grids. `segments` is K, the number of segments
@@ -42,15 +47,23 @@ impl SceneBuffers {
         segments: u32,
         (before, mut stored): (Option<&Self>, Option<&mut Stored>),
     ) -> Result<Self, GpuError> {
-        let mut source = Uploads { scene, geometry, program, fields, segments, stars: Vec::new(), kinds: Vec::new() };
-        if program.features.has_stars {
-            source.stars = sorted_stars(scene);
-        }
+        let same_stars = before.filter(|before| program.features.has_stars && before.stars.is_of(scene));
+        let (star_skies, stars) = match same_stars {
+            Some(before) => (before.stars.clone(), Vec::new()),
+            None if program.features.has_stars => StarSkies::sorted(scene),
+            None => Default::default(),
+        };
+        let kinds = Vec::new();
+        let mut source = Uploads { scene, geometry, program, fields, segments, star_skies, stars, kinds };
         source.kinds = [source.of_kinds(), source.uniforms()].concat();
-        let mut made = Self { buffers: BTreeMap::new(), pictures: BTreeMap::new() };
+        let stars = source.star_skies.clone();
+        let mut made = Self { buffers: BTreeMap::new(), pictures: BTreeMap::new(), stars };
         let stage = gpu.progress.measured("uploading the scene", program.bindings().count() as f64);
         for binding in program.bindings() {
             match &binding.role {
+                role if STARS.contains(&&*binding.name) && same_stars.is_some_and(|own| own.buffer(role).is_some()) => {
+                    made.buffers.extend(same_stars.and_then(|own| own.buffers.get_key_value(role)).map(cloned));
+                }
                 Role::Uniforms(_) | Role::Scene(_) if !made.buffers.contains_key(&binding.role) => {
                     let bytes = source.bytes(binding)?;
                     // A uniform may be rewritten later, so it is never shared.
@@ -104,6 +117,10 @@ impl SceneBuffers {
         let textures: HashSet<&Texture> = all.flat_map(|scene| scene.pictures.values()).map(|(_, own)| own).collect();
         buffers.into_iter().map(Buffer::size).sum::<u64>() + textures.into_iter().map(texture).sum::<u64>()
     }
+}
+
+fn cloned<K: Clone, V: Clone>((key, value): (&K, &V)) -> (K, V) {
+    (key.clone(), value.clone())
 }
 
 fn no_value(binding: &str) -> GpuError {

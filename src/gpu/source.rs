@@ -1,6 +1,6 @@
 //! Collects the inputs for the values of a scene's bindings.
 
-use super::star_buckets::SortedStars;
+use super::star_buckets::{SortedStars, StarSkies};
 use super::{Geometry, LightGridData};
 use crate::model::Binding;
 use crate::program::Program;
@@ -15,8 +15,10 @@ pub(super) struct Uploads<'a> {
     pub(super) fields: &'a [LightGridData],
     /// K, the number of segments of one fused pass.
     pub(super) segments: u32,
-    /// The stars of both skies, in buckets.
-    pub(super) stars: Vec<Option<SortedStars>>,
+    /// The stars of both skies.
+    pub(super) star_skies: StarSkies,
+    /// The lists of these stars, unless they are on the device already.
+    pub(super) stars: Vec<SortedStars>,
     /// The bindings of the scene's kinds.
     pub(super) kinds: Vec<Binding>,
 }

@@ -2,7 +2,9 @@
 
 use std::collections::BTreeMap;
 
-use glam::{DMat3, DVec2, DVec3};
+use std::sync::Arc;
+
+use glam::{DVec2, DVec3};
 use rayon::prelude::*;
 
 use crate::model::black_body;
@@ -14,14 +16,52 @@ const MOST_BUCKETS: u32 = 1024;
 /// Temperatures are rounded to this ratio to look up their colors.
 const SAME_COLOR: f64 = 1.01;
 
-/// The stars of one sky, in buckets.
-pub(super) struct SortedStars {
-    /// The axes of the catalog in the scene.
-    pub(super) axes: DMat3,
-    /// The radius of a star's disk, in radians.
-    pub(super) radius: f64,
+/// The stars of both skies, as they are on the device.
+#[derive(Debug, Clone, Default)]
+pub(super) struct StarSkies {
+    of: [Option<Stars>; 2],
+    skies: [Option<StarSky>; 2],
+}
+
+/// The size of the lists of one sky.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct StarSky {
     /// The number of buckets along the edge of a face.
     pub(super) buckets: u32,
+    /// The number of means.
+    pub(super) means: u32,
+    /// The mean radiance of the whole sky.
+    pub(super) mean: DVec3,
+}
+
+impl StarSkies {
+    /// Returns the skies of a scene that have stars, by their sides.
+    pub(super) fn of<'s>(&self, scene: &'s Scene) -> [Option<(StarSky, &'s Stars)>; 2] {
+        [0, 1].map(|side| self.skies[side].zip(scene.stars[side].as_ref()))
+    }
+
+    /// Returns `true` if a scene has the same lists: its skies may be turned, and the disks of stars may have another size.
+    pub(super) fn is_of(&self, scene: &Scene) -> bool {
+        self.of.iter().zip(&scene.stars).all(|pair| match pair {
+            (Some(a), Some(b)) => {
+                Arc::ptr_eq(&a.catalog, &b.catalog) && (a.intensity, a.limit) == (b.intensity, b.limit)
+            }
+            (a, b) => a.is_none() && b.is_none(),
+        })
+    }
+
+    /// Sorts the stars of a scene.
+    pub(super) fn sorted(scene: &Scene) -> (Self, Vec<SortedStars>) {
+        let sorted = [0, 1].map(|side| scene.stars[side].as_ref().map(SortedStars::of));
+        let skies = [0, 1].map(|side| sorted[side].as_ref().map(SortedStars::sky));
+        (Self { of: scene.stars.clone(), skies }, sorted.into_iter().flatten().collect())
+    }
+}
+
+/// The stars of one sky, in buckets.
+pub(super) struct SortedStars {
+    /// The number of buckets along the edge of a face.
+    buckets: u32,
     /// The bucket, place, flux and temperature of each star, sorted.
     pub(super) stars: Vec<(u32, DVec2, f64, f32)>,
     /// The light of all stars in each bucket of each coarser level.
@@ -40,12 +80,12 @@ impl SortedStars {
         };
         let mut sorted: Vec<_> = shown.into_par_iter().map(place).collect();
         // Catalogs in another order give the same list.
-        sorted.par_sort_by(|a, b| {
-            let key = |star: &(u32, DVec2, f64, f32)| (star.0, star.1.y, star.1.x, star.2);
+        sorted.par_sort_unstable_by(|a, b| {
+            let key = |star: &(u32, DVec2, f64, f32)| (star.0, star.1.y, star.1.x, star.2, star.3);
             key(a).partial_cmp(&key(b)).unwrap_or(std::cmp::Ordering::Equal)
         });
         let means = means(buckets, &sorted);
-        Self { axes: stars.rotation, radius: 0.5 * stars.size, buckets, stars: sorted, means }
+        Self { buckets, stars: sorted, means }
     }
 
     /// Returns the first star of each bucket, counted from `first`, and the end of the last one.
@@ -62,9 +102,9 @@ impl SortedStars {
         starts
     }
 
-    /// Returns the mean radiance of the whole sky.
-    pub(super) fn mean(&self) -> DVec3 {
-        self.means[self.means.len() - 6..].iter().copied().sum::<DVec3>() / (4.0 * std::f64::consts::PI)
+    fn sky(&self) -> StarSky {
+        let mean = self.means[self.means.len() - 6..].iter().copied().sum::<DVec3>() / (4.0 * std::f64::consts::PI);
+        StarSky { buckets: self.buckets, means: self.means.len() as u32, mean }
     }
 }
 
@@ -120,9 +160,4 @@ fn on_face(d: DVec3) -> (u32, DVec2) {
     let axis = d.abs().max_position();
     let (towards, u, v) = (d[axis], d[(axis + 1) % 3], d[(axis + 2) % 3]);
     (2 * axis as u32 + u32::from(towards < 0.0), DVec2::new(u, v) / towards.abs())
-}
-
-/// Returns the stars of both skies of a scene.
-pub(super) fn sorted_stars(scene: &Scene) -> Vec<Option<SortedStars>> {
-    scene.stars.iter().map(|stars| stars.as_ref().map(SortedStars::of)).collect()
 }

@@ -6,16 +6,17 @@ use rayon::prelude::*;
 use super::GpuError;
 use super::records::pack;
 use super::source::Uploads;
-use super::star_buckets::SortedStars;
+use super::star_buckets::StarSky;
 use crate::model::{Row, row};
 use crate::program::Layout;
+use crate::scene::Stars;
 
 impl Uploads<'_> {
     /// Packs one of the lists of stars.
     pub(super) fn stars(&self, name: &str, layout: &Layout) -> Result<Option<Vec<u8>>, GpuError> {
-        let sorted = || self.stars.iter().flatten();
+        let sorted = || self.stars.iter();
         match name {
-            "star_skies" => pack(name, layout, rows(&self.stars)).map(Some),
+            "star_skies" => pack(name, layout, rows(self.star_skies.of(self.scene))).map(Some),
             "star_list" => {
                 let all: Vec<_> = sorted().flat_map(|own| &own.stars).collect();
                 packed(layout, &all).map(Some)
@@ -63,11 +64,11 @@ fn packed(layout: &Layout, stars: &[&(u32, DVec2, f64, f32)]) -> Result<Vec<u8>,
 }
 
 /// Returns the records of both skies; a sky without stars has no buckets.
-fn rows(skies: &[Option<SortedStars>]) -> Vec<Row> {
+fn rows(skies: [Option<(StarSky, &Stars)>; 2]) -> [Row; 2] {
     let (mut bucket, mut mean) = (0, 0);
-    let row = |sky: &Option<SortedStars>| {
-        let axes = sky.as_ref().map_or(DMat3::IDENTITY, |own| own.axes);
-        let buckets = sky.as_ref().map_or(0, |own| own.buckets);
+    skies.map(|own| {
+        let axes = own.map_or(DMat3::IDENTITY, |(_, stars)| stars.rotation);
+        let buckets = own.map_or(0, |(sky, _)| sky.buckets);
         let row = row! {
             first: Vec3(axes.x_axis),
             second: Vec3(axes.y_axis),
@@ -75,14 +76,13 @@ fn rows(skies: &[Option<SortedStars>]) -> Vec<Row> {
             buckets: Uint(buckets),
             first_bucket: Uint(bucket),
             first_mean: Uint(mean),
-            radius: Float(sky.as_ref().map_or(0.0, |own| own.radius)),
-            mean: Vec3(sky.as_ref().map_or(DVec3::ZERO, SortedStars::mean)),
+            radius: Float(own.map_or(0.0, |(_, stars)| 0.5 * stars.size)),
+            mean: Vec3(own.map_or(DVec3::ZERO, |(sky, _)| sky.mean)),
         };
-        if let Some(own) = sky {
+        if let Some((sky, _)) = own {
             bucket += 6 * buckets * buckets + 1;
-            mean += own.means.len() as u32;
+            mean += sky.means;
         }
         row
-    };
-    skies.iter().map(row).collect()
+    })
 }

@@ -16,6 +16,7 @@ pub mod csv;
 pub mod error;
 pub mod exr;
 pub mod fits;
+mod glare;
 pub mod hdf5;
 pub mod lens_map;
 pub mod merge;
@@ -60,6 +61,8 @@ pub struct FileSettings {
     pub tonemap: Tonemap,
     /// The bits per channel, 8 or 16 (PNG only).
     pub bits: u8,
+    /// The fraction of light that the glare of a lens spreads (PNG only).
+    pub glare: f64,
     /// Is `true` if the image has alpha.
     pub alpha: bool,
     /// The planes in addition to color (EXR only).
@@ -79,6 +82,7 @@ impl FileSettings {
             exposure: 0.0,
             tonemap: Tonemap::None,
             bits: 8,
+            glare: 0.0,
             alpha: false,
             layers: Vec::new(),
             metadata: Vec::new(),
@@ -167,6 +171,7 @@ pub fn save(path: &Path, scene: &Scene, rendering: &Rendering) -> Result<(), Out
         exposure: scene.output.exposure,
         tonemap: scene.output.tonemap,
         bits: scene.output.bits,
+        glare: scene.output.glare,
         alpha: scene.is_transparent(),
         layers: rendering.band.layers.iter().map(|(layer, _)| *layer).collect(),
         metadata: origin::scale(scene),

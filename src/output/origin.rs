@@ -80,16 +80,25 @@ pub fn scale(scene: &Scene) -> Vec<(String, String)> {
 /// Returns the display settings for a format without separate fields for them.
 pub(super) fn shown_words(settings: &FileSettings) -> String {
     let name = Tonemap::NAMES.iter().find(|(_, tonemap)| *tonemap == settings.tonemap).map_or("", |(name, _)| name);
-    format!("exposure {} tonemap {name} bits {}", settings.exposure, settings.bits)
+    let glare = if settings.glare > 0.0 { format!(" glare {}", settings.glare) } else { String::new() };
+    format!("exposure {} tonemap {name} bits {}{glare}", settings.exposure, settings.bits)
 }
 
 /// Returns the settings with the text of [`shown_words`].
 pub(super) fn with_shown(settings: FileSettings, text: &str) -> Option<FileSettings> {
-    let ["exposure", exposure, "tonemap", tonemap, "bits", bits] = text.split(' ').collect::<Vec<_>>()[..] else {
-        return None;
+    let (exposure, tonemap, bits, glare) = match text.split(' ').collect::<Vec<_>>()[..] {
+        ["exposure", exposure, "tonemap", tonemap, "bits", bits] => (exposure, tonemap, bits, "0"),
+        ["exposure", exposure, "tonemap", tonemap, "bits", bits, "glare", glare] => (exposure, tonemap, bits, glare),
+        _ => return None,
     };
     let tonemap = Tonemap::NAMES.iter().find(|(name, _)| *name == tonemap)?.1;
-    Some(FileSettings { exposure: exposure.parse().ok()?, tonemap, bits: bits.parse().ok()?, ..settings })
+    Some(FileSettings {
+        exposure: exposure.parse().ok()?,
+        tonemap,
+        bits: bits.parse().ok()?,
+        glare: glare.parse().ok()?,
+        ..settings
+    })
 }
 
 /// Returns the part in a file, and the whole's size.

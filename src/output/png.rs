@@ -2,7 +2,7 @@
 //!
 //! The encoder writes to a channel, from which the bytes are moved to the file after every band. A disk error is therefore always found
 //! where it can be reported, also for the encoder's last bytes, which it writes when it is dropped. Host memory: the rows of one band as
-//! integers, plus their compressed bytes.
+//! integers, plus their compressed bytes; with glare, all rows.
 
 use std::{
     collections::BTreeMap,
@@ -15,9 +15,10 @@ use ::png::{BitDepth, ColorType, Compression, Encoder, EncodingError, SrgbRender
 use rayon::prelude::*;
 
 use super::color::{SrgbBytes, shown, srgb_from_linear};
+use super::glare::spread;
 use super::origin::{PART, SHOWN, part_words, shown_words};
 use super::{AtomicFile, FileSettings, ImageWriter, OutputError, band::Rows};
-use crate::render::Band;
+use crate::render::{Band, Window};
 use crate::scene::Tonemap;
 
 /// The exposure in stops beyond which every `f32` is black or white.
@@ -30,6 +31,9 @@ pub struct PngWriter {
     encoder: StreamWriter<'static, Outbox>,
     encoded: Receiver<Vec<u8>>,
     file: AtomicFile,
+    /// The fraction of light that glare spreads, and the bands so far, because it spreads over the whole image.
+    glare: f64,
+    held: Option<Band>,
 }
 
 /// The conversion of colors to bytes.
@@ -80,7 +84,17 @@ impl PngWriter {
             encoder,
             encoded,
             file,
+            glare: settings.glare,
+            held: None,
         })
+    }
+
+    /// Encodes the rows of a band.
+    fn encode(&mut self, band: &Band) -> Result<(), OutputError> {
+        for row in self.shown.band_bytes(band) {
+            self.encoder.write_all(&row).map_err(|e| encode_error(&self.rows.path, e.into()))?;
+        }
+        drain(&self.encoded, &mut self.file)
     }
 }
 
@@ -117,15 +131,23 @@ impl Shown {
 impl ImageWriter for PngWriter {
     fn write_band(&mut self, band: &Band) -> Result<(), OutputError> {
         self.rows.accept(band)?;
-        for row in self.shown.band_bytes(band) {
-            self.encoder.write_all(&row).map_err(|e| encode_error(&self.rows.path, e.into()))?;
+        if self.glare > 0.0 {
+            match &mut self.held {
+                Some(held) => held.append(band.clone()),
+                None => self.held = Some(band.clone()),
+            }
+            return Ok(());
         }
-        drain(&self.encoded, &mut self.file)
+        self.encode(band)
     }
 
     fn finish(self: Box<Self>) -> Result<(), OutputError> {
         let mut this = *self;
         this.rows.complete()?;
+        if let Some(mut whole) = this.held.take() {
+            spread(&mut whole, this.glare);
+            this.encode(&whole)?;
+        }
         this.encoder.finish().map_err(|e| encode_error(&this.rows.path, e))?;
         drain(&this.encoded, &mut this.file)?;
         this.file.finish()
@@ -146,6 +168,11 @@ fn problem(settings: &FileSettings) -> Option<String> {
             "expected an exposure from -{MAX_STOPS} to {MAX_STOPS} stops, found {}",
             settings.exposure
         ));
+    }
+    if settings.glare > 0.0 && settings.window != Window::whole(settings.size) {
+        let problem =
+            "glare spreads light over the whole image: write an .exr of this part, and merge the parts into a PNG";
+        return Some(problem.to_owned());
     }
     (!settings.layers.is_empty()).then(|| "a PNG stores only color; write an .exr for the layers, or omit them".into())
 }

@@ -142,7 +142,7 @@ impl Band {
         self.layers.iter().find_map(|(l, plane)| (*l == layer).then_some(plane))
     }
 
-    pub(super) fn append(&mut self, below: Self) {
+    pub(crate) fn append(&mut self, below: Self) {
         self.rows += below.rows;
         let planes = self.color.iter_mut().chain(&mut self.alpha);
         for (channel, more) in planes.zip(below.color.into_iter().chain(below.alpha)) {

@@ -123,7 +123,7 @@ impl Default for Image {
 impl Default for Output {
     /// Returns an output of unchanged radiance in eight bits.
     fn default() -> Self {
-        Self { exposure: 0.0, tonemap: Tonemap::None, bits: 8, clamp: None }
+        Self { exposure: 0.0, tonemap: Tonemap::None, bits: 8, glare: 0.0, clamp: None }
     }
 }
 

@@ -9,6 +9,8 @@ pub struct Output {
     pub tonemap: Tonemap,
     /// The bits per channel of a PNG, 8 or 16.
     pub bits: u8,
+    /// The fraction of light in a PNG that the glare of a lens spreads.
+    pub glare: f64,
     /// The largest radiance of the brightest channel of a sample in path tracing; larger values are clamped and counted.
     pub clamp: Option<f64>,
 }

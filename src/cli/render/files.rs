@@ -164,6 +164,7 @@ fn file_settings(
         exposure: scene.output.exposure,
         tonemap: scene.output.tonemap,
         bits: scene.output.bits,
+        glare: scene.output.glare,
         alpha: scene.is_transparent(),
         layers: if stores_layers(path) { layers.to_vec() } else { Vec::new() },
         metadata: metadata.to_vec(),

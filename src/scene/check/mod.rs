@@ -314,6 +314,7 @@ fn output(root: &TableReader, by_paths: bool) -> Output {
             16 => Ok(16),
             other => Err(node.fault(format!("expected 8 or 16 bits, found {other}"), "")),
         });
+        output.glare = table.or("glare", 0.0, number_where("a fraction from 0 to 1", |x| (0.0..=1.0).contains(&x)));
         output.clamp = table.optional("clamp", positive);
         if output.clamp.is_some() && !by_paths {
             let help = "remove it; reduce the brightness of the image with `exposure` and `tonemap`";

@@ -153,6 +153,7 @@ pub(super) fn fixed() -> Vec<KeyReference> {
             exposure: "number, -64 to 64" = "0", "exposure, in stops; PNG only";
             tonemap: "none | filmic" = "none", "tone curve; PNG only";
             bit_depth: "8, 16" = "8", "bits per channel; PNG only";
+            glare: "number, 0 to 1" = "0", "fraction of the light that the glare of a lens spreads (bloom); PNG only";
             clamp if r#"lighting = "path-tracing""#: "number above 0" = "none",
                 "maximum radiance of one sample, in its brightest channel: less noise, but darker; bentray prints the loss";
         }
