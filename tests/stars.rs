@@ -233,7 +233,7 @@ fn nothing_is_modelled_without_stars() {
         Program::new(scene, &geometry.analysis, &ProgramOptions::default(), geometry.extent()).unwrap()
     };
     let plain = scene(FLAT);
-    let has = |scene: &Scene| program(scene).passes.iter().any(|(_, linked, _)| linked.source.contains("grid_ends"));
+    let has = |scene: &Scene| program(scene).passes.iter().any(|(_, linked, _)| linked.source.contains("grid_rays"));
     assert!(!has(&plain));
     assert!(has(&with_stars(plain, lattice(3))));
 }

@@ -80,13 +80,7 @@ fn per_pixel(program: &Program) -> Vec<PerPixel> {
             (BindingKind::StorageTexture(format), _) => texture_format(*format).map(Storage::Texture),
             (
                 BindingKind::Storage { layout, read_only: false },
-                Role::State(..)
-                | Role::Pixels
-                | Role::Moments
-                | Role::GridEnds
-                | Role::SkyLights
-                | Role::StarSlots
-                | Role::StarCells,
+                Role::State(..) | Role::Pixels | Role::Moments | Role::GridRays | Role::StarSlots | Role::StarCells,
             ) => Some(Storage::Buffer(layout.span)),
             (BindingKind::Storage { layout, read_only: false }, Role::PathEnds) => {
                 Some(Storage::Buffer(constant("state/ends", "END_VALUES") as u32 * layout.span))

@@ -34,10 +34,8 @@ pub enum Role {
     Tally,
     /// The number of pixels that need more samples.
     Refined,
-    /// The ends of the rays of the grid.
-    GridEnds,
-    /// The light of the sky at these ends.
-    SkyLights,
+    /// The rays of the grid.
+    GridRays,
     /// The cells of that grid that have starlight, behind the arguments of a dispatch over them.
     StarWork(Access),
     /// The number of each cell among these.
@@ -120,7 +118,7 @@ pub enum Access {
 }
 
 /// The renderer's bindings.
-const ROLES: [(&str, Role); 27] = [
+const ROLES: [(&str, Role); 26] = [
     ("pixels", Role::Pixels),
     ("moments", Role::Moments),
     ("list_in", Role::List(Access::Read)),
@@ -131,8 +129,7 @@ const ROLES: [(&str, Role); 27] = [
     ("frame", Role::Frame),
     ("tally", Role::Tally),
     ("refined", Role::Refined),
-    ("grid_ends", Role::GridEnds),
-    ("sky_lights", Role::SkyLights),
+    ("grid_rays", Role::GridRays),
     ("star_work_in", Role::StarWork(Access::Read)),
     ("star_work_out", Role::StarWork(Access::Write)),
     ("star_slots", Role::StarSlots),

@@ -32,6 +32,7 @@ pub(super) fn lengths(scene: &Scene, regions: &Regions) -> Vec<(&'static str, us
         ("shot_lights", shot),
         ("emitters", scene.emitters().len()),
         ("absorptions", regions.regions.len() + 1),
+        ("star_skies", 2),
         ("grid_lights", grids + scene.beams().len()),
     ];
     others.into_iter().chain(placed).collect()

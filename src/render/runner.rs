@@ -222,8 +222,8 @@ impl<'r, 'a> Runner<'r, 'a> {
     /// Clears the buffers to which the passes from this step on add.
     fn clear_before(&self, Recorded { round, step, .. }: &Recorded, encoder: &mut CommandEncoder) {
         let lists = self.prepared.plan.batch;
-        if let (true, Some(ends)) = (self.clears_grid(step.pass), self.tile.buffer(&Role::GridEnds)) {
-            encoder.clear_buffer(ends, 0, None);
+        if let (true, Some(rays)) = (self.clears_grid(step.pass), self.tile.buffer(&Role::GridRays)) {
+            encoder.clear_buffer(rays, 0, None);
         }
         let (buffer, size) = match step.pass {
             Pass::Setup if u64::from(*round) % lists.rounds == 0 => {

@@ -2,24 +2,19 @@
 // image has one sample per pixel, that sample is the grid if possible. Tiles have a margin around them, so that the grid continues beyond the
 // edges of the image.
 
-struct GridEnd {
+struct GridRay {
     // The direction at infinity, or u and v on a surface.
     place: vec3f,
     // The kind of the end, HIT or ESCAPED; above it the side of a wormhole, the view of a stereo image, and the object or the branch of the
     // path. 0 if the ray has no such end.
     end: u32,
-}
-
-// The light of a sky on its way to the camera.
-struct SkyLight {
-    // Its factor, except its shift.
+    // The factor of a sky's light on its way to the camera, except its shift.
     weight: vec3f,
     // The redshift factor.
     shift: f32,
 }
 
-var<storage, read_write> grid_ends: array<GridEnd>;
-var<storage, read_write> sky_lights: array<SkyLight>;
+var<storage, read_write> grid_rays: array<GridRay>;
 
 // The mask of the kind of an end, and the positions of its other bits.
 const END_KIND: u32 = 3u;
@@ -74,22 +69,25 @@ fn note_grid(pixel: vec2u, code: u32, seen: Seen) {
             return;
         }
     }
-    var own = GridEnd(vec3f(0.0), 0u);
+    var own: GridRay;
     if code == ESCAPED || code == MISSED {
-        own = GridEnd(vec3f(normalize(seen.end.v)), sky_end(pixel));
+        own.place = vec3f(normalize(seen.end.v));
+        own.end = sky_end(pixel);
         if HAS_STARS {
             own.place = in_star_axes(own.place, side_reached());
         }
         if KEEPS_SKY_LIGHT {
-            sky_lights[place_in_tile(pixel)] = SkyLight(sky_weight(seen.end.x), color_shift());
+            own.weight = sky_weight(seen.end.x);
+            own.shift = color_shift();
         }
     }
     if KEEPS_FOOTPRINTS {
         if code == HIT {
-            own = GridEnd(place_seen, surface_end(pixel, seen.object));
+            own.place = place_seen;
+            own.end = surface_end(pixel, seen.object);
         }
     }
-    grid_ends[place_in_tile(pixel)] = own;
+    grid_rays[place_in_tile(pixel)] = own;
 }
 
 // Returns the factor of the sky's light at the end of a path.

@@ -26,7 +26,8 @@ fn camera_solid_angle(pixel: vec2u, measured: MeasuredBundle) -> f32 {
 fn keep_bundle_layers(pixel: vec2u, measured: MeasuredBundle) {
     var magnification = 0.0;
     var shape = vec3f(0.0);
-    if measured.is_known && (measured.own.end & END_KIND) == ESCAPED {
+    let is_smooth = measured.across.is_smooth && measured.down.is_smooth;
+    if is_smooth && (measured.own.end & END_KIND) == ESCAPED {
         let own = bundle_of(measured);
         var d = measured.own.place;
         if HAS_STARS {

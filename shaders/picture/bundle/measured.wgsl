@@ -8,51 +8,52 @@ struct GridSlope {
     change: vec3f,
     first: f32,
     last: f32,
+    // The neighbors belong to one smooth bundle. Farther ones, as close to the shadow of a black hole, only show how much of the sky the pixel
+    // sees.
+    is_smooth: bool,
 }
 
 struct MeasuredBundle {
-    own: GridEnd,
+    own: GridRay,
     across: GridSlope,
     down: GridSlope,
-    is_known: bool,
 }
 
 // Returns the difference of two ends; u and v may have wrapped around.
-fn apart(a: GridEnd, b: GridEnd) -> vec3f {
+fn apart(a: GridRay, b: GridRay) -> vec3f {
     let d = b.place - a.place;
     return select(d, d - round(d), (a.end & END_KIND) == HIT);
 }
 
-fn is_near(a: GridEnd, b: GridEnd, d: vec3f) -> bool {
+fn is_near(a: GridRay, b: GridRay, d: vec3f) -> bool {
     return a.end == b.end && dot(d, d) < WIDEST_BUNDLE * WIDEST_BUNDLE;
 }
 
 // stride: the number of rays from one to the next along the axis.
 fn grid_slope(place: u32, stride: u32) -> GridSlope {
-    let own = grid_ends[place];
-    let before = grid_ends[place - stride];
-    let after = grid_ends[place + stride];
+    let own = grid_rays[place];
+    let before = grid_rays[place - stride];
+    let after = grid_rays[place + stride];
     let d = apart(before, own);
     let e = apart(own, after);
-    let has_before = is_near(before, own, d);
-    let has_after = is_near(own, after, e);
+    let is_smooth = is_near(before, own, d) || is_near(own, after, e);
+    let has_before = before.end == own.end && (is_near(before, own, d) || !is_smooth);
+    let has_after = after.end == own.end && (is_near(own, after, e) || !is_smooth);
     let change = select(vec3f(0.0), d, has_before) + select(vec3f(0.0), e, has_after);
     let first = -f32(has_before);
     let last = f32(has_after);
-    return GridSlope(change / max(last - first, 1.0), first, last);
+    return GridSlope(change / max(last - first, 1.0), first, last, is_smooth);
 }
 
 fn measured_bundle(pixel: vec2u) -> MeasuredBundle {
     let place = place_in_tile(pixel);
-    let own = grid_ends[place];
-    let across = grid_slope(place, 1u);
-    let down = grid_slope(place, frame.size.x);
-    return MeasuredBundle(own, across, down, own.end != 0u && across.first < across.last && down.first < down.last);
+    return MeasuredBundle(grid_rays[place], grid_slope(place, 1u), grid_slope(place, frame.size.x));
 }
 
 // Returns the bundle in the axes of the scene.
 fn bundle_of(measured: MeasuredBundle) -> Bundle {
-    var bundle = Bundle(measured.across.change, measured.down.change, select(0u, measured.own.end, measured.is_known));
+    let is_known = measured.across.first < measured.across.last && measured.down.first < measured.down.last;
+    var bundle = Bundle(measured.across.change, measured.down.change, select(0u, measured.own.end, is_known));
     if HAS_STARS {
         if (bundle.end & END_KIND) == ESCAPED {
             let side = side_of(bundle.end);
@@ -78,11 +79,10 @@ fn add_sky(pixel: vec2u, measured: MeasuredBundle) {
     if HAS_STARS {
         d = from_star_axes(d, side_of(end));
     }
-    let light = sky_lights[place_in_tile(pixel)];
     var color = sky_radiance(d);
     if BEAMS {
-        seen_shift = Real(light.shift);
+        seen_shift = Real(measured.own.shift);
         color = beamed(color);
     }
-    pixel_color[place_in_tile(pixel)] += light.weight * color;
+    pixel_color[place_in_tile(pixel)] += measured.own.weight * color;
 }

@@ -19,7 +19,7 @@ var<private> cell_light: array<vec3f, 16>;
 // The sky of the cell.
 var<private> cell_sky: StarSky;
 // The rays at its corners, in reading order, and the one that is missing; 4 if all are there.
-var<private> corner_rays: array<SkyRay, 4>;
+var<private> corner_rays: array<GridRay, 4>;
 var<private> corner_missing: u32;
 // The areas at its corners.
 var<private> corner_areas: vec4f;
@@ -33,7 +33,8 @@ fn patch_place_at(pixel: vec2u, k: u32) -> u32 {
 fn load_patch(pixel: vec2u) -> bool {
     for (var k = 0u; k < 4u; k++) {
         let place = patch_place_at(pixel, 5u + (k & 1u) + 4u * (k >> 1u));
-        corner_rays[k] = SkyRay(grid_ends[place].place, star_end(place), sky_lights[place]);
+        corner_rays[k] = grid_rays[place];
+        corner_rays[k].end = star_end(place);
     }
     let a = corner_rays[0];
     let b = corner_rays[1];
@@ -51,20 +52,20 @@ fn load_patch(pixel: vec2u) -> bool {
         let opposite = corner_rays[3u - corner_missing];
         var filled = opposite;
         filled.end = 0u;
-        filled.way = b.way + c.way - opposite.way;
+        filled.place = b.place + c.place - opposite.place;
         if corner_missing == 1u || corner_missing == 2u {
-            filled.way = a.way + d.way - opposite.way;
+            filled.place = a.place + d.place - opposite.place;
         }
         corner_rays[corner_missing] = filled;
     }
     for (var k = 0u; k < 16u; k++) {
-        patch_ways[k] = grid_ends[patch_place_at(pixel, k)].place;
+        patch_ways[k] = grid_rays[patch_place_at(pixel, k)].place;
     }
     for (var k = 0u; k < 4u; k++) {
-        patch_ways[5u + (k & 1u) + 4u * (k >> 1u)] = corner_rays[k].way;
+        patch_ways[5u + (k & 1u) + 4u * (k >> 1u)] = corner_rays[k].place;
     }
     extend_patch(pixel, end);
-    return spread(array<vec3f, 4>(corner_rays[0].way, corner_rays[1].way, corner_rays[2].way, corner_rays[3].way)) < WIDEST_CELL;
+    return spread(array<vec3f, 4>(corner_rays[0].place, corner_rays[1].place, corner_rays[2].place, corner_rays[3].place)) < WIDEST_CELL;
 }
 
 // Returns the largest distance of four directions.
@@ -97,7 +98,7 @@ fn continue_patch(pixel: vec2u, end: u32, k: u32, near: u32, far: u32) {
 }
 
 fn belongs(pixel: vec2u, end: u32, k: u32, near: u32) -> bool {
-    return grid_ends[patch_place_at(pixel, k)].end == end && distance(patch_ways[k], patch_ways[near]) < WIDEST_CELL;
+    return grid_rays[patch_place_at(pixel, k)].end == end && distance(patch_ways[k], patch_ways[near]) < WIDEST_CELL;
 }
 
 // Returns the area at a corner of the cell.

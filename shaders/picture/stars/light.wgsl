@@ -27,12 +27,12 @@ fn between(values: vec4f, at: vec2f) -> f32 {
 }
 
 fn weight_at(at: vec2f) -> vec3f {
-    let upper = mix(corner_rays[0].light.weight, corner_rays[1].light.weight, at.x);
-    return mix(upper, mix(corner_rays[2].light.weight, corner_rays[3].light.weight, at.x), at.y);
+    let upper = mix(corner_rays[0].weight, corner_rays[1].weight, at.x);
+    return mix(upper, mix(corner_rays[2].weight, corner_rays[3].weight, at.x), at.y);
 }
 
 fn shift_at(at: vec2f) -> f32 {
-    let shifts = vec4f(corner_rays[0].light.shift, corner_rays[1].light.shift, corner_rays[2].light.shift, corner_rays[3].light.shift);
+    let shifts = vec4f(corner_rays[0].shift, corner_rays[1].shift, corner_rays[2].shift, corner_rays[3].shift);
     return between(shifts, at);
 }
 
@@ -102,7 +102,7 @@ fn add_edge() {
     for (var k = 0u; k < 4u; k++) {
         let ray = corner_rays[k];
         if ray.end != 0u {
-            light += 0.25 * ray.light.weight * shifted_mean(star_sky(ray.end).mean, ray.light.shift);
+            light += 0.25 * ray.weight * shifted_mean(star_sky(ray.end).mean, ray.shift);
         }
     }
     fill_cell(light);

@@ -1,14 +1,5 @@
 // The skies with stars that the rays of the grid reach.
 
-// A ray that reaches a sky with stars.
-struct SkyRay {
-    // The direction at infinity, in the axes of the catalog.
-    way: vec3f,
-    // The end in the grid; 0 if the ray does not reach a sky with stars.
-    end: u32,
-    light: SkyLight,
-}
-
 // A catalog, oriented in a scene.
 struct StarSky {
     // The axes of the catalog in the scene.
@@ -43,7 +34,7 @@ fn from_star_axes(d: vec3f, side: u32) -> vec3f {
 
 // Returns the end of the ray of a pixel if it reaches a sky with stars, else 0.
 fn star_end(place: u32) -> u32 {
-    let end = grid_ends[place].end;
+    let end = grid_rays[place].end;
     return select(0u, end, (end & END_KIND) == ESCAPED && star_skies[side_of(end)].buckets > 0u);
 }
 

@@ -52,10 +52,10 @@ fn is_lit(pixel: vec2u) -> bool {
         return false;
     }
     let corners = array<vec3f, 4>(
-        grid_ends[place].place,
-        grid_ends[place + 1u].place,
-        grid_ends[below].place,
-        grid_ends[below + 1u].place,
+        grid_rays[place].place,
+        grid_rays[place + 1u].place,
+        grid_rays[below].place,
+        grid_rays[below + 1u].place,
     );
     let own = star_sky(ends.x);
     let bulge = bent(pixel, 1u, corners[0], corners[1], ends.x) + bent(pixel, frame.size.x, corners[0], corners[2], ends.x);
@@ -92,8 +92,8 @@ fn has_star(corners: array<vec3f, 4>, own: StarSky, face: u32, bulge: f32) -> bo
 // Returns how far the sides of a cell in one direction of the grid are curved, from the rays before and after them.
 fn bent(pixel: vec2u, stride: u32, a: vec3f, b: vec3f, end: u32) -> f32 {
     let place = place_in_tile(pixel);
-    let before = grid_ends[place - stride];
-    let after = grid_ends[place + 2u * stride];
+    let before = grid_rays[place - stride];
+    let after = grid_rays[place + 2u * stride];
     let first = select(0.0, distance(before.place + b, 2.0 * a), before.end == end);
     let last = select(0.0, distance(a + after.place, 2.0 * b), after.end == end);
     // A parabola deviates from its chord by an eighth of the second difference.
@@ -104,6 +104,7 @@ fn bent(pixel: vec2u, stride: u32, a: vec3f, b: vec3f, end: u32) -> f32 {
 fn list_cell(pixel: vec2u) {
     let n = atomicAdd(&star_work_out.count, 1u);
     star_work_out.cells[n] = pixel.x | (pixel.y << 16u);
+    star_slots[place_in_tile(pixel)] = n + 1u;
     if n % GROUP == 0u {
         let groups = n / GROUP + 1u;
         atomicMax(&star_work_out.x, min(groups, STAR_ROW));
@@ -118,7 +119,6 @@ fn light_listed_cell(n: u32) {
     let pixel = vec2u(packed & 0xffffu, packed >> 16u);
     let light = light_of_cell(pixel);
     if n < arrayLength(&star_cells) {
-        star_slots[place_in_tile(pixel)] = n + 1u;
         for (var k = 0u; k < 16u; k++) {
             star_cells[n].light[3u * k] = light[k].x;
             star_cells[n].light[3u * k + 1u] = light[k].y;

@@ -15,8 +15,8 @@ use bentray::output::{csv, merge, picture, said, settings_of};
 use bentray::program::{Program, ProgramError, ProgramOptions};
 use bentray::scene::import::import;
 use bentray::scene::{
-    Curve, FanRay, Formula, FormulaError, Gltf, Interval, LineElement, Mesh, Override, Picture, Profile, SampledGrid,
-    Scene, follow_as,
+    Catalog, Curve, FanRay, Formula, FormulaError, Gltf, Interval, LineElement, Mesh, Override, Picture, Profile,
+    SampledGrid, Scene, follow_as,
 };
 
 /// A reader, with a folder of files in `corpus`.
@@ -53,6 +53,7 @@ pub const READERS: &[Reader] = &[
     reader("nrrd", grid, 8, 1000),
     reader("rays", rays, 1, 1000),
     reader("profile", profile, 1, 1000),
+    reader("catalog", |bytes| _ = shown(Catalog::parse(&text(bytes), Path::new("a.csv"))), 1, 1000),
     // A byte may hold thousands of pixels.
     reader("picture", sky, 256, 1000),
     reader("part", part, 64, 1000),
