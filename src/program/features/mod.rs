@@ -3,11 +3,12 @@
 //! *Length.* Over 300 lines, because it is a list, with a field and a line for each feature.
 
 mod constants;
-mod margin;
+mod grid;
 mod passes;
 mod volumes;
 
-pub use margin::Margin;
+use grid::GridFeatures;
+pub use grid::Margin;
 pub use volumes::VolumeFeatures;
 
 use super::regions::{RegionKind, Regions};
@@ -222,10 +223,7 @@ impl Features {
         let volumes = VolumeFeatures::of(scene, options, ends_with_steps);
         let knows_shift = beams || keeps_shift(scene, options) || volumes.shifts_volumes;
         let follows_paths = is_picture && scene.rays.path_tracing.is_some();
-        let keeps_footprints = is_picture && keeps_footprints(scene, ends);
-        let has_grid = is_picture && ends != PathEnds::Given && has_grid(scene, options, keeps_footprints);
-        let is_sampled_once = scene.image.samples == 1 && ends == PathEnds::Followed;
-        let sample_is_grid = has_grid && is_sampled_once && (!keeps_footprints || defers_sky(scene, options));
+        let grid = GridFeatures::of(scene, options);
         let (is_occluded, follows_lines) = (scene.is_occluded(), scene.lines().next().is_some());
         Self {
             mode,
@@ -296,9 +294,9 @@ impl Features {
             joins_whole,
             has_two_skies: is_picture && scene.sky_other_side.is_some(),
             has_stars: is_picture && ends == PathEnds::Followed && scene.has_stars(),
-            has_grid,
-            sample_is_grid,
-            defers_sky: sample_is_grid && keeps_footprints,
+            has_grid: grid.exists,
+            sample_is_grid: grid.is_sample,
+            defers_sky: grid.is_sample && grid.keeps_footprints,
             sees_through: is_picture && scene.sky == Sky::Transparent,
             has_images: !scene.pictures.is_empty(),
             has_vertex_colors: scene.uses_vertex_colors(),
@@ -310,7 +308,7 @@ impl Features {
             keeps_errors: scene.rays.control.kind.keeps_errors,
             has_structure: !structure.solids.is_empty(),
             is_glossy: scene.used_materials().any(|material| material.surface.facts().is_glossy),
-            keeps_footprints,
+            keeps_footprints: grid.keeps_footprints,
             beams,
             shifts_hues: beams && camera.is_some_and(|camera| camera.color_shift),
             knows_shift,
@@ -336,18 +334,6 @@ impl Features {
             _ => None,
         };
         self.layers.iter().filter_map(own)
-    }
-
-    /// Returns `true` if the bundle of light of each pixel is stored for its samples.
-    #[must_use]
-    pub fn keeps_bundles(&self) -> bool {
-        self.keeps_footprints && self.has_grid && !self.defers_sky
-    }
-
-    /// Returns `true` if layers describe the bundles of light of pixels.
-    #[must_use]
-    pub fn describes_bundles(&self) -> bool {
-        self.has_grid && self.layers.iter().any(|layer| layer.is_of_bundles())
     }
 
     /// Returns `true` if stored ends of paths are shaded, and no path is followed.
@@ -389,24 +375,6 @@ fn enumerates(scene: &Scene) -> bool {
 fn schedule(scene: &Scene, options: &ProgramOptions, fits: bool) -> Schedule {
     let is_whole = fits && scene.rays.precision != Precision::Half && options.ends != PathEnds::Given;
     if options.schedule == Schedule::Whole && !is_whole { Schedule::Fused } else { options.schedule }
-}
-
-/// Returns `true` if the footprints of pixels are computed; a map of path ends is for images of other scenes, too.
-fn keeps_footprints(scene: &Scene, ends: PathEnds) -> bool {
-    scene.has_footprints() || ends == PathEnds::Stored
-}
-
-/// Returns `true` if there is a grid of rays through the centers of pixels: for stars, for footprints, or for layers of bundles.
-fn has_grid(scene: &Scene, ProgramOptions { layers, ends, .. }: &ProgramOptions, keeps_footprints: bool) -> bool {
-    let has_stars = *ends == PathEnds::Followed && scene.has_stars();
-    let describes = |layer: &Layer| layer.is_of_bundles() && layer.refused_by(scene).is_none();
-    has_stars || keeps_footprints || layers.iter().any(describes)
-}
-
-/// Returns `true` if the light of the sky can be added after all rays have ended, which requires that nothing else is filtered, and that
-/// light is not divided by frequency or order.
-fn defers_sky(scene: &Scene, ProgramOptions { layers, .. }: &ProgramOptions) -> bool {
-    !scene.filters_surfaces() && scene.radiation.is_none() && !layers.contains(&Layer::ImageOrder)
 }
 
 /// Returns `true` if the crossings of translucent surfaces are stored.
