@@ -204,7 +204,9 @@ fn a_chart_of_radiation_has_errors_of_light() {
     let rows: Vec<Vec<f64>> =
         text.lines().skip(1).map(|line| line.split(',').map(|word| word.parse().unwrap()).collect()).collect();
     let [loose, tight] = [&rows[0], &rows[4]];
-    assert!(rows.len() == 7 && tight[3] < 0.1 * loose[3] && tight[3] < 1e-4 && tight[6] < 1e-5, "{text}");
+    // The chart uses the fastest setting of the sweep. On a busy machine its steps may be so short that light has no error at any tolerance.
+    let converges = tight[3] < 0.1 * loose[3] || loose[3] < 1e-6;
+    assert!(rows.len() == 7 && converges && tight[3] < 1e-4 && tight[6] < 1e-5, "{text}");
     assert!(folder.text("report/index.html").contains("scene_transfer.svg"));
 }
 
