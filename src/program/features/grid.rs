@@ -6,9 +6,12 @@ use crate::program::{Layer, Mode, PathEnds, ProgramOptions, constant};
 use crate::scene::Scene;
 
 /// The need for a grid in an image.
+#[expect(clippy::struct_excessive_bools, reason = "each is a separate question")]
 pub(super) struct GridFeatures {
     /// Stars, footprints or layers of bundles need the grid.
     pub exists: bool,
+    /// The sky has stars.
+    pub has_stars: bool,
     /// The only sample of each pixel is the ray of the grid.
     pub is_sample: bool,
     /// The footprints of pixels are computed; a map of path ends is for images of other scenes, too.
@@ -18,7 +21,7 @@ pub(super) struct GridFeatures {
 impl GridFeatures {
     pub(super) fn of(scene: &Scene, ProgramOptions { mode, layers, ends, .. }: &ProgramOptions) -> Self {
         if *mode != Mode::Picture {
-            return Self { exists: false, is_sample: false, keeps_footprints: false };
+            return Self { exists: false, has_stars: false, is_sample: false, keeps_footprints: false };
         }
         let keeps_footprints = scene.has_footprints() || *ends == PathEnds::Stored;
         let has_stars = *ends == PathEnds::Followed && scene.has_stars();
@@ -30,6 +33,7 @@ impl GridFeatures {
         let is_sampled_once = scene.image.samples == 1 && *ends == PathEnds::Followed;
         Self {
             exists: is_needed && *ends != PathEnds::Given,
+            has_stars,
             is_sample: is_needed && is_sampled_once && (!keeps_footprints || can_wait),
             keeps_footprints,
         }

@@ -293,7 +293,7 @@ impl Features {
             has_throat: facts.throat.is_some(),
             joins_whole,
             has_two_skies: is_picture && scene.sky_other_side.is_some(),
-            has_stars: is_picture && ends == PathEnds::Followed && scene.has_stars(),
+            has_stars: grid.has_stars,
             has_grid: grid.exists,
             sample_is_grid: grid.is_sample,
             defers_sky: grid.is_sample && grid.keeps_footprints,
