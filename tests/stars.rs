@@ -2,10 +2,11 @@
 
 use std::f64::consts::PI;
 use std::sync::Arc;
+use std::time::Duration;
 
 use bentray::gpu::Geometry;
 use bentray::program::{Program, ProgramOptions, Schedule};
-use bentray::render::{Band, RenderSettings, Renderer, Rendering};
+use bentray::render::{Band, Preview, RenderError, RenderSettings, Renderer, Rendering, Watch};
 use bentray::scene::{Catalog, Scene, Star, Stars};
 use glam::{DMat3, DVec3};
 
@@ -157,6 +158,41 @@ fn schedules_tiles_and_orders_do_not_show() {
         let mut stars = lattice(2000);
         stars.reverse();
         assert!(band(&with_stars(scene, stars)) == expected, "{samples}");
+    }
+}
+
+/// A grid that is followed again, for another moment or after a preview, adds no light of its own.
+#[test]
+fn moments_and_previews_do_not_show() {
+    struct Looks;
+    impl Preview for Looks {
+        fn every(&self) -> Duration {
+            Duration::ZERO
+        }
+        fn look(&self, _: &Band, _: u32) -> Result<(), RenderError> {
+            Ok(())
+        }
+    }
+    let gpu = gpu();
+    for (footprints, stars) in [(false, true), (true, true), (true, false)] {
+        let mut own = scene(LENS);
+        own.image.samples = 5;
+        own.image.footprints = footprints;
+        if stars {
+            own = with_stars(own, lattice(2000));
+        }
+        let expected = band(&own);
+        let mut renderer = Renderer::new(&gpu, &own, RenderSettings::default()).unwrap();
+        let mut previewed = None;
+        let watch = Watch { preview: Some(&Looks), ..Watch::default() };
+        let mut keep = |band| {
+            previewed = Some(band);
+            Ok(())
+        };
+        renderer.render_watched(&mut keep, &watch).unwrap();
+        assert!(previewed.unwrap() == expected, "{footprints} {stars}");
+        renderer.set_moments(vec![own.clone(); 2]).unwrap();
+        assert!(renderer.render().unwrap().band == expected, "{footprints} {stars}");
     }
 }
 

@@ -5,10 +5,12 @@ fn gather_stars(own: Invocation) {
     let spot = grid_pixel(own);
     if spot.valid && inside_margin(spot.pixel) {
         let place = place_in_tile(spot.pixel);
-        if SAMPLE_IS_GRID {
-            pixel_color[place] += starlight(spot.pixel);
-        } else {
-            pixel_starlight[place] = starlight(spot.pixel) + select(pixel_starlight[place], vec3f(0.0), frame.branch == 0u);
+        let light = starlight(spot.pixel);
+        if FIRST_IS_GRID {
+            pixel_color[place] += select(light, vec3f(0.0), frame.sample == CENTERS);
+        }
+        if ADDS_STARLIGHT {
+            pixel_starlight[place] = light + select(pixel_starlight[place], vec3f(0.0), frame.branch == 0u);
         }
     }
 }

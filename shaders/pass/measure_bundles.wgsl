@@ -16,7 +16,9 @@ fn measure_bundles(own: Invocation) {
             }
         }
         if DEFERS_SKY {
-            add_sky(spot.pixel, measured);
+            if frame.sample != CENTERS {
+                add_sky(spot.pixel, measured);
+            }
         }
     }
 }

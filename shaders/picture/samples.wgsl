@@ -10,8 +10,5 @@ fn sample_wanted(pixel: vec2u) -> bool {
     if !HAS_GRID {
         return true;
     }
-    if SAMPLE_IS_GRID {
-        return true;
-    }
-    return frame.sample == CENTERS || inside_margin(pixel);
+    return is_grid() || inside_margin(pixel);
 }

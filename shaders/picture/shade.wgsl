@@ -39,12 +39,13 @@ fn shade_ray(pixel: vec2u, ray: Ray, end: Hit) {
         if FOLLOWS_SHIFT {
             note_sky(ray, seen.end);
         }
-        if !DEFERS_SKY {
-            light = sky_seen(pixel, vec3f(normalize(seen.end.v)));
-        }
+        light = sky_seen(pixel, vec3f(normalize(seen.end.v)));
     }
     if HAS_GRID {
         note_grid(pixel, code, seen);
+        if frame.sample == CENTERS {
+            return;
+        }
     }
     if SEES_GLOW {
         gather(light, seen.end.x);
@@ -60,7 +61,7 @@ fn shade_ray(pixel: vec2u, ray: Ray, end: Hit) {
     var color = light;
     if ADDS_STARLIGHT {
         // Once for each sample of the pixel.
-        color += select(vec3f(0.0), pixel_starlight[place_in_tile(pixel)], frame.sample != CENTERS && frame.branch == 0u);
+        color += select(vec3f(0.0), pixel_starlight[place_in_tile(pixel)], !is_grid() && frame.branch == 0u);
     }
     add_color(pixel, color);
     if KEEPS_ORDERS {
@@ -81,8 +82,13 @@ fn shade_ray(pixel: vec2u, ray: Ray, end: Hit) {
     }
 }
 
-// Returns the light of the sky in a direction, as the observer sees it.
+// Returns the light of the sky in a direction, as the observer sees it; 0 on the grid if it is added later.
 fn sky_seen(pixel: vec2u, d: vec3f) -> vec3f {
+    if DEFERS_SKY {
+        if is_grid() {
+            return vec3f(0.0);
+        }
+    }
     if KEEPS_FOOTPRINTS {
         fit_footprint(sky_end(pixel));
     }

@@ -176,21 +176,22 @@ impl Renderer<'_> {
     fn rays_of(&self, size: [u32; 2], round: &Round) -> u64 {
         let features = &self.prepared.program.features;
         let count = |margin: u32| size.map(|side| u64::from(side + margin)).iter().product::<u64>();
-        let margin = features.margin().total();
-        let samples = u64::from(round.until - round.begins());
-        if features.sample_is_grid {
-            return samples * count(margin);
-        }
-        samples * count(0) + self.grids(round).count() as u64 * count(margin)
+        let all = count(features.margin().total());
+        let samples = (round.begins()..round.until).map(|number| {
+            let is_grid = features.first_is_grid && number == 0;
+            let separate = if self.follows_grid(round, number) { all } else { 0 };
+            separate + if is_grid { all } else { count(0) }
+        });
+        samples.sum()
     }
 
-    /// Returns the samples of a round before which the rays of a separate grid are followed: the first, or all if stars may be elsewhere at
-    /// other moments.
-    fn grids(&self, round: &Round) -> impl Iterator<Item = u32> + Clone {
+    /// Returns `true` if the rays of a separate grid are followed before a sample: the first, or all if stars may be elsewhere at other
+    /// moments.
+    fn follows_grid(&self, round: &Round, number: u32) -> bool {
         let features = &self.prepared.program.features;
-        let has_grids = features.has_grid && !features.sample_is_grid;
-        let (first, changes) = (round.begins(), features.has_stars && self.prepared.moments.len() > 1);
-        (first..round.until).filter(move |number| has_grids && (changes || *number == first))
+        let changes = features.has_stars && self.prepared.moments.len() > 1;
+        let is_grid = features.first_is_grid && number == 0;
+        features.has_grid && !is_grid && (changes || number == round.begins())
     }
 
     /// Renders the whole image into memory. [`Renderer::new`] has an example; [`render_bands`](Self::render_bands) needs less memory.
@@ -276,10 +277,9 @@ impl Renderer<'_> {
             earlier.put(self.prepared.gpu, &self.prepared.program, tile, part, before)?;
         }
         let image = self.prepared.scene.image.size;
-        let grids: Vec<u32> = self.grids(round).collect();
         let samples = (first..round.until).flat_map(|number| {
             let sample = Sample { origin, image, number, is_grid: false, refines: None };
-            grids.contains(&number).then(|| sample.grid()).into_iter().chain([sample])
+            self.follows_grid(round, number).then(|| sample.grid()).into_iter().chain([sample])
         });
         self.prepared.run_samples(tile, samples.collect::<Vec<_>>().into_iter(), clock, progress)?;
         Ok(())

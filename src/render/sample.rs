@@ -41,7 +41,7 @@ impl Sample {
 
     /// Returns `true` if the rays of the sample are the grid.
     pub(super) fn is_grid_of(&self, features: &Features) -> bool {
-        self.is_grid || features.sample_is_grid
+        self.is_grid || (features.first_is_grid && self.number == 0)
     }
 
     /// Returns the first sample of every pixel, in a tile at the origin of the image.

@@ -1,7 +1,7 @@
 // Computes sample points in their order. With adaptive sampling the first ray of a pixel passes through its top left corner, which it
-// shares with its neighbors. The rays of a grid through the centers of pixels are separate and are not samples.
+// shares with its neighbors. The first sample of an image may be a grid of rays through the centers of pixels; other grids are not samples.
 
-// The sample number that represents the centers.
+// The sample number of a grid that is not a sample.
 const CENTERS: u32 = 0x80000000u;
 
 struct SampleShare {
@@ -11,6 +11,17 @@ struct SampleShare {
 
 var<uniform> sample_share: SampleShare;
 
+// Returns `true` if the rays of the sample are the grid.
+fn is_grid() -> bool {
+    if SAMPLE_IS_GRID {
+        return true;
+    }
+    if FIRST_IS_GRID {
+        return frame.sample == CENTERS || frame.sample == 0u;
+    }
+    return frame.sample == CENTERS;
+}
+
 fn sample_point(pixel: vec2u) -> vec2f {
     if ADAPTS {
         if frame.sample == 0u {
@@ -19,9 +30,13 @@ fn sample_point(pixel: vec2u) -> vec2f {
         return nth_point(pixel, frame.sample - 1u);
     }
     if HAS_GRID {
-        if frame.sample == CENTERS {
+        if is_grid() {
             return center_of(pixel);
         }
+    }
+    if FIRST_IS_GRID {
+        // The pattern continues on the opposite side of the pixel.
+        return vec2f(vec2i(pixel)) + fract(nth_point(pixel, frame.sample) - nth_point(pixel, 0u) + 0.5);
     }
     return nth_point(pixel, frame.sample);
 }

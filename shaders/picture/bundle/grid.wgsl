@@ -1,6 +1,5 @@
-// Stores where the rays through the centers of pixels end: a grid between whose rays bundles of light are measured and stars are found. If an
-// image has one sample per pixel, that sample is the grid if possible. Tiles have a margin around them, so that the grid continues beyond the
-// edges of the image.
+// Stores where the rays through the centers of pixels end: a grid between whose rays bundles of light are measured and stars are found. The
+// first sample of an image is the grid if possible. Tiles have a margin around them, so that the grid continues beyond the edges of the image.
 
 struct GridRay {
     // The direction at infinity, or u and v on a surface.
@@ -64,10 +63,8 @@ fn sky_end(pixel: vec2u) -> u32 {
 
 // Stores the end of a ray if it belongs to the grid. code: the status of the ray.
 fn note_grid(pixel: vec2u, code: u32, seen: Seen) {
-    if !SAMPLE_IS_GRID {
-        if frame.sample != CENTERS {
-            return;
-        }
+    if !is_grid() {
+        return;
     }
     var own: GridRay;
     if code == ESCAPED || code == MISSED {

@@ -64,7 +64,7 @@ fn bundle_of(measured: MeasuredBundle) -> Bundle {
     return bundle;
 }
 
-// Adds the light of the sky in a pixel of an image whose sample is the grid.
+// Adds the light of the sky in a pixel of the first sample, which is the grid.
 fn add_sky(pixel: vec2u, measured: MeasuredBundle) {
     let end = measured.own.end;
     if (end & END_KIND) != ESCAPED {

@@ -12,7 +12,7 @@ pub(super) struct GridFeatures {
     pub exists: bool,
     /// The sky has stars.
     pub has_stars: bool,
-    /// The only sample of each pixel is the ray of the grid.
+    /// The first sample of each pixel is the ray of the grid.
     pub is_sample: bool,
     /// The footprints of pixels are computed; a map of path ends is for images of other scenes, too.
     pub keeps_footprints: bool,
@@ -30,11 +30,12 @@ impl GridFeatures {
         // The light of the sky is added after all rays have ended if nothing else is filtered, and if light is not divided by frequency or
         // order.
         let can_wait = !scene.filters_surfaces() && scene.radiation.is_none() && !layers.contains(&Layer::ImageOrder);
-        let is_sampled_once = scene.image.samples == 1 && *ends == PathEnds::Followed;
+        // The first rays of an adaptive image are those through the corners of its pixels.
+        let can_sample = *ends == PathEnds::Followed && scene.image.adaptive.is_none();
         Self {
             exists: is_needed && *ends != PathEnds::Given,
             has_stars,
-            is_sample: is_needed && is_sampled_once && (!keeps_footprints || can_wait),
+            is_sample: is_needed && can_sample && (!keeps_footprints || can_wait),
             keeps_footprints,
         }
     }
@@ -61,7 +62,7 @@ impl Features {
     /// Returns `true` if the bundle of light of each pixel is stored for its samples.
     #[must_use]
     pub fn keeps_bundles(&self) -> bool {
-        self.keeps_footprints && self.has_grid && !self.defers_sky
+        self.keeps_footprints && self.has_grid && !self.sample_is_grid
     }
 
     /// Returns `true` if layers describe the bundles of light of pixels.

@@ -146,6 +146,8 @@ pub struct Features {
     pub has_grid: bool,
     /// The only sample of each pixel is the ray of the grid.
     pub sample_is_grid: bool,
+    /// The first sample of each pixel is the ray of the grid.
+    pub first_is_grid: bool,
     /// The light of the sky is added after the bundles are measured.
     pub defers_sky: bool,
     /// The sky is transparent.
@@ -295,7 +297,8 @@ impl Features {
             has_two_skies: is_picture && scene.sky_other_side.is_some(),
             has_stars: grid.has_stars,
             has_grid: grid.exists,
-            sample_is_grid: grid.is_sample,
+            sample_is_grid: grid.is_sample && scene.image.samples == 1,
+            first_is_grid: grid.is_sample,
             defers_sky: grid.is_sample && grid.keeps_footprints,
             sees_through: is_picture && scene.sky == Sky::Transparent,
             has_images: !scene.pictures.is_empty(),
