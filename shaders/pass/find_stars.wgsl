@@ -4,7 +4,11 @@
 fn find_stars(own: Invocation) {
     let spot = grid_pixel(own);
     if spot.valid {
-        star_slots[place_in_tile(spot.pixel)] = 0u;
+        let place = place_in_tile(spot.pixel);
+        if place == 0u {
+            atomicStore(&star_counts.listed, 0u);
+        }
+        star_heads[place] = 0u;
         if is_lit(spot.pixel) {
             list_cell(spot.pixel);
         }

@@ -32,7 +32,7 @@ pub struct SceneBuffers {
 }
 
 /// The lists of stars, which a film keeps.
-const STARS: [&str; 3] = ["star_list", "star_buckets", "star_means"];
+const STARS: [&str; 2] = ["star_list", "star_buckets"];
 
 impl SceneBuffers {
     /// Uploads the values of `scene` that `program` binds, with the `fields` of its lights' grids. `segments` is K, the number of segments

@@ -125,8 +125,8 @@ pub struct Sections {
     pub active: u64,
     /// The number of arguments for each list of open pixels.
     pub open: u64,
-    /// The number of pixels for each cell with starlight: there is room for this fraction of them.
-    pub star_cells: u64,
+    /// The size of the list of images of stars, in bytes.
+    pub star_images: u64,
 }
 
 impl Sections {
@@ -144,6 +144,6 @@ impl Sections {
     #[must_use]
     pub fn bytes(&self) -> u64 {
         let lists = [PixelListKind::Active, PixelListKind::Open, PixelListKind::Wanted].map(|list| 2 * self.of(list));
-        SECTION * (FRAMES + self.parameters + lists.iter().sum::<u64>())
+        SECTION * (FRAMES + self.parameters + lists.iter().sum::<u64>()) + self.star_images
     }
 }

@@ -1,7 +1,5 @@
 //! Sorts the stars of a scene's skies into the buckets of `shaders/picture/stars/buckets.wgsl`.
 
-use std::collections::BTreeMap;
-
 use std::sync::Arc;
 
 use glam::{DVec2, DVec3};
@@ -9,7 +7,7 @@ use rayon::prelude::*;
 
 use crate::model::black_body;
 use crate::program::constant;
-use crate::scene::{Scene, Stars};
+use crate::scene::{Scene, Star, Stars};
 
 /// The most buckets along the edge of a face.
 const MOST_BUCKETS: u32 = 1024;
@@ -28,6 +26,8 @@ pub(super) struct StarSkies {
 pub(super) struct StarSky {
     /// The number of buckets along the edge of a face.
     pub(super) buckets: u32,
+    /// The number of stars.
+    pub(super) stars: u32,
     /// The number of means.
     pub(super) means: u32,
     /// The mean radiance of the whole sky.
@@ -70,19 +70,22 @@ pub(super) struct SortedStars {
 
 impl SortedStars {
     fn of(stars: &Stars) -> Self {
-        let shown: Vec<(usize, f64)> = stars.shown().collect();
+        let shown: Vec<&Star> = stars.shown().collect();
         let buckets = bucket_count(shown.len());
-        let place = |(i, flux): (usize, f64)| {
-            let star = &stars.catalog.stars[i];
+        let place = |star: &Star| {
+            let flux = stars.flux(star);
             let (face, place) = on_face(star.direction);
             let [column, row] = place.to_array().map(|at| bucket(at, buckets));
             ((face * buckets + row) * buckets + column, place, flux, star.kelvins)
         };
         let mut sorted: Vec<_> = shown.into_par_iter().map(place).collect();
+        sorted.par_sort_unstable_by_key(|star| star.0);
         // Catalogs in another order give the same list.
-        sorted.par_sort_unstable_by(|a, b| {
-            let key = |star: &(u32, DVec2, f64, f32)| (star.0, star.1.y, star.1.x, star.2, star.3);
-            key(a).partial_cmp(&key(b)).unwrap_or(std::cmp::Ordering::Equal)
+        sorted.chunk_by_mut(|a, b| a.0 == b.0).for_each(|bucket| {
+            bucket.sort_unstable_by(|a, b| {
+                let key = |star: &(u32, DVec2, f64, f32)| (star.1.y, star.1.x, star.2, star.3);
+                key(a).partial_cmp(&key(b)).unwrap_or(std::cmp::Ordering::Equal)
+            });
         });
         let means = means(buckets, &sorted);
         Self { buckets, stars: sorted, means }
@@ -104,19 +107,21 @@ impl SortedStars {
 
     fn sky(&self) -> StarSky {
         let mean = self.means[self.means.len() - 6..].iter().copied().sum::<DVec3>() / (4.0 * std::f64::consts::PI);
-        StarSky { buckets: self.buckets, means: self.means.len() as u32, mean }
+        let [stars, means] = [self.stars.len(), self.means.len()].map(|count| count as u32);
+        StarSky { buckets: self.buckets, stars, means, mean }
     }
 }
 
 /// Returns the light of all stars in each bucket of each coarser level.
 fn means(buckets: u32, stars: &[(u32, DVec2, f64, f32)]) -> Vec<DVec3> {
-    let mut colors: BTreeMap<i32, DVec3> = BTreeMap::new();
+    let mut colors: Vec<Option<DVec3>> = Vec::new();
     let mut color = |kelvins: f32| {
         if kelvins <= 0.0 {
             return DVec3::ONE;
         }
-        let step = (f64::from(kelvins).ln() / SAME_COLOR.ln()).round() as i32;
-        *colors.entry(step).or_insert_with(|| black_body::color(SAME_COLOR.powi(step)).0)
+        let step = (f64::from(kelvins).ln() / SAME_COLOR.ln()).round().max(0.0) as usize;
+        colors.resize(colors.len().max(step + 1), None);
+        *colors[step].get_or_insert_with(|| black_body::color(SAME_COLOR.powf(step as f64)).0)
     };
     let mut size = (buckets / constant("picture/stars/buckets", "FINEST_MEAN") as u32).max(1);
     let mut level = vec![DVec3::ZERO; 6 * (size * size) as usize];

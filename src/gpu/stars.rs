@@ -6,7 +6,7 @@ use rayon::prelude::*;
 use super::GpuError;
 use super::records::pack;
 use super::source::Uploads;
-use super::star_buckets::StarSky;
+use super::star_buckets::{SortedStars, StarSky};
 use crate::model::{Row, row};
 use crate::program::Layout;
 use crate::scene::Stars;
@@ -14,58 +14,38 @@ use crate::scene::Stars;
 impl Uploads<'_> {
     /// Packs one of the lists of stars.
     pub(super) fn stars(&self, name: &str, layout: &Layout) -> Result<Option<Vec<u8>>, GpuError> {
-        let sorted = || self.stars.iter();
         match name {
             "star_skies" => pack(name, layout, rows(self.star_skies.of(self.scene))).map(Some),
-            "star_list" => {
-                let all: Vec<_> = sorted().flat_map(|own| &own.stars).collect();
-                packed(layout, &all).map(Some)
-            }
+            "star_list" => Ok(Some(list(&self.stars))),
             "star_buckets" => {
                 let mut first = 0;
-                let starts = sorted().flat_map(|own| {
+                let starts = self.stars.iter().flat_map(|own| {
                     let starts = own.starts(first);
-                    first += own.stars.len();
+                    first += own.stars.len() + own.means.len();
                     starts
                 });
-                Ok(Some(starts.flat_map(u32::to_ne_bytes).collect()))
-            }
-            "star_means" => {
-                let all = sorted().flat_map(|own| own.means.iter().copied());
-                Ok(Some(
-                    all.flat_map(|light| light.extend(0.0).as_vec4().to_array()).flat_map(f32::to_ne_bytes).collect(),
-                ))
+                Ok(Some(bytemuck::cast_slice(&starts.collect::<Vec<u32>>()).to_vec()))
             }
             _ => Ok(None),
         }
     }
 }
 
-/// Returns stars as the device reads them. The first is packed and checked like all other values, and the others like the first.
-fn packed(layout: &Layout, stars: &[&(u32, DVec2, f64, f32)]) -> Result<Vec<u8>, GpuError> {
-    let row = |place: DVec2, flux, kelvins| -> Row {
-        row! { place: Vec2(place), flux: Float(flux), kelvins: Float(kelvins) }
+/// Returns the stars and means of each sky as the device reads them: a place, a flux and a temperature, or a color.
+fn list(skies: &[SortedStars]) -> Vec<u8> {
+    let star =
+        |(_, place, flux, kelvins): &(u32, DVec2, f64, f32)| [place.x as f32, place.y as f32, *flux as f32, *kelvins];
+    let mean = |light: &DVec3| light.extend(0.0).as_vec4().to_array();
+    let rows = |own: &SortedStars| -> Vec<[f32; 4]> {
+        own.stars.par_iter().map(star).chain(own.means.par_iter().map(mean)).collect()
     };
-    // A buffer may not be empty.
-    let first = stars.first().map_or(row(DVec2::ZERO, 0.0, 1.0), |own| row(own.1, own.2, own.3.into()));
-    let first = pack("star_list", layout, [first])?;
-    let offsets = ["place", "flux", "kelvins"].map(|name| layout.field(name).map_or(0, |field| field.offset as usize));
-    let span = layout.span as usize;
-    let mut bytes = vec![0; span * stars.len()];
-    bytes.par_chunks_exact_mut(span).zip(stars).for_each(|(bytes, (_, place, flux, kelvins))| {
-        let mut put = |at: usize, value: f32| bytes[at..at + 4].copy_from_slice(&value.to_ne_bytes());
-        put(offsets[0], place.x as f32);
-        put(offsets[0] + 4, place.y as f32);
-        put(offsets[1], *flux as f32);
-        put(offsets[2], *kelvins);
-    });
-    debug_assert!(bytes.is_empty() || bytes.starts_with(&first));
-    Ok(if bytes.is_empty() { first } else { bytes })
+    let all: Vec<_> = skies.iter().flat_map(rows).collect();
+    bytemuck::cast_slice(&all).to_vec()
 }
 
 /// Returns the records of both skies; a sky without stars has no buckets.
 fn rows(skies: [Option<(StarSky, &Stars)>; 2]) -> [Row; 2] {
-    let (mut bucket, mut mean) = (0, 0);
+    let (mut bucket, mut first) = (0, 0);
     skies.map(|own| {
         let axes = own.map_or(DMat3::IDENTITY, |(_, stars)| stars.rotation);
         let buckets = own.map_or(0, |(sky, _)| sky.buckets);
@@ -75,13 +55,13 @@ fn rows(skies: [Option<(StarSky, &Stars)>; 2]) -> [Row; 2] {
             third: Vec3(axes.z_axis),
             buckets: Uint(buckets),
             first_bucket: Uint(bucket),
-            first_mean: Uint(mean),
+            first_mean: Uint(first + own.map_or(0, |(sky, _)| sky.stars)),
             radius: Float(own.map_or(0.0, |(_, stars)| 0.5 * stars.size)),
             mean: Vec3(own.map_or(DVec3::ZERO, |(sky, _)| sky.mean)),
         };
         if let Some((sky, _)) = own {
             bucket += 6 * buckets * buckets + 1;
-            mean += sky.means;
+            first += sky.stars + sky.means;
         }
         row
     })

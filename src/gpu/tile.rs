@@ -80,7 +80,7 @@ fn per_pixel(program: &Program) -> Vec<PerPixel> {
             (BindingKind::StorageTexture(format), _) => texture_format(*format).map(Storage::Texture),
             (
                 BindingKind::Storage { layout, read_only: false },
-                Role::State(..) | Role::Pixels | Role::Moments | Role::GridRays | Role::StarSlots | Role::StarCells,
+                Role::State(..) | Role::Pixels | Role::Moments | Role::GridRays | Role::StarHeads,
             ) => Some(Storage::Buffer(layout.span)),
             (BindingKind::Storage { layout, read_only: false }, Role::PathEnds) => {
                 Some(Storage::Buffer(constant("state/ends", "END_VALUES") as u32 * layout.span))
@@ -153,9 +153,7 @@ impl Tile {
                     tile.textures.insert(role, texture);
                 }
                 Storage::Buffer(bytes) => {
-                    // The cells with starlight are usually few.
-                    let share = if role == Role::StarCells { sections.star_cells } else { 1 };
-                    tile.add_storage(gpu, &role, u64::from(bytes) * pixels.div_ceil(share))?;
+                    tile.add_storage(gpu, &role, u64::from(bytes) * pixels)?;
                 }
             }
         }
@@ -179,7 +177,9 @@ impl Tile {
             tile.add_storage(gpu, &Role::Refined, 8)?;
         }
         if program.features.has_stars {
-            tile.add_storage(gpu, &Role::StarCounts, 16)?;
+            tile.add_storage(gpu, &Role::StarImages, sections.star_images)?;
+            let counts = program.layout(&Role::StarCounts).map_or(0, |layout| layout.span);
+            tile.add_storage(gpu, &Role::StarCounts, counts.into())?;
             let usage = BufferUsages::STORAGE | BufferUsages::INDIRECT;
             let work = buffer(gpu, "star_work", WORK_HEAD + 4 * pixels, usage)?;
             tile.buffers.insert(Role::StarWork(Access::Read), work);

@@ -38,10 +38,10 @@ pub enum Role {
     GridRays,
     /// The cells of that grid that have starlight, behind the arguments of a dispatch over them.
     StarWork(Access),
-    /// The number of each cell among these.
-    StarSlots,
-    /// The light of these cells.
-    StarCells,
+    /// The first image of a star in each cell.
+    StarHeads,
+    /// The images of stars.
+    StarImages,
     /// The numbers of images of stars.
     StarCounts,
     /// The end states of traced rays.
@@ -132,8 +132,8 @@ const ROLES: [(&str, Role); 26] = [
     ("grid_rays", Role::GridRays),
     ("star_work_in", Role::StarWork(Access::Read)),
     ("star_work_out", Role::StarWork(Access::Write)),
-    ("star_slots", Role::StarSlots),
-    ("star_cells", Role::StarCells),
+    ("star_heads", Role::StarHeads),
+    ("star_images", Role::StarImages),
     ("star_counts", Role::StarCounts),
     ("records", Role::Records),
     ("stored_ends", Role::PathEnds),

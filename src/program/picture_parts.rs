@@ -66,13 +66,14 @@ pub(super) fn picture_parts(scene: &Scene, features: &Features, names: &mut Name
 }
 
 /// The modules for stars.
-const STARS: [&str; 7] = [
+const STARS: [&str; 8] = [
     "picture/stars/ray",
     "picture/stars/patch",
     "picture/stars/buckets",
     "picture/stars/search",
     "picture/stars/light",
     "picture/stars/cell",
+    "picture/stars/image",
     "picture/stars/work",
 ];
 

@@ -30,7 +30,7 @@ impl Plan {
             parameters: self.parameters.len() as u64,
             active: rounds * active,
             open: self.batch.open(),
-            star_cells: 1,
+            star_images: 0,
         }
     }
 

@@ -37,8 +37,8 @@ pub(super) struct Prepared<'a> {
     /// The steps of each round of a sample.
     pub plan: Plan,
     pub submission: SubmissionSize,
-    /// The number of pixels for each cell with starlight that a tile has room for.
-    pub star_cells: u64,
+    /// The number of images of stars in a tile for which there must be room, because an earlier tile had too little.
+    pub star_images: u64,
 }
 
 /// A scene that some of an image's samples show, with the same program.
@@ -89,7 +89,6 @@ impl<'a> Prepared<'a> {
         let passes = PassCounts::usual();
         let plan = planned(&scene, &program.features, passes, max_segments, settings.segments);
         let regions = geometry.analysis.regions.clone();
-        let star_cells = star_share(&scene);
         Ok(Self {
             gpu,
             scene,
@@ -105,7 +104,7 @@ impl<'a> Prepared<'a> {
             passes,
             plan,
             submission: SubmissionSize::default(),
-            star_cells,
+            star_images: 0,
         })
     }
 
@@ -224,14 +223,6 @@ impl<'a> Prepared<'a> {
 /// Returns the plan for each round of a sample.
 fn planned(scene: &Scene, features: &Features, passes: PassCounts, max_segments: u32, segments: u32) -> Plan {
     Plan::new(steps(scene, features, passes, max_segments, segments), features.rounds)
-}
-
-/// Returns the number of pixels for each cell with starlight: a few, unless the sky has more stars than that.
-fn star_share(scene: &Scene) -> u64 {
-    const FEW: u64 = 4;
-    let stars = scene.stars.iter().flatten().map(|stars| stars.catalog.stars.len() as u64).max().unwrap_or(0);
-    let pixels = scene.image.size.map(u64::from).iter().product::<u64>();
-    if stars > pixels / FEW { 1 } else { FEW }
 }
 
 /// Places the scene's objects and builds the acceleration structure.

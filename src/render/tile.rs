@@ -8,7 +8,7 @@ use super::clock::Clock;
 use super::prepared::Prepared;
 use super::records::Records;
 use super::sample::Sample;
-use super::{RenderError, Totals};
+use super::{RenderError, Totals, Window};
 use crate::gpu::{GpuError, SECTION, Sections, Tile, pack};
 use crate::program::Role;
 
@@ -28,7 +28,7 @@ impl Prepared<'_> {
 
     /// Returns a tile of this program's state: an earlier one of the same program, if it is like it, or a new one.
     pub(super) fn tile_after(&self, earlier: Option<Tile>, size: [u32; 2]) -> Result<Tile, GpuError> {
-        let sections = Sections { star_cells: self.star_cells, ..self.plan.sections() };
+        let sections = self.sections();
         let tile = match earlier.filter(|earlier| earlier.is_like(size, &sections)) {
             Some(tile) => tile,
             None => self.new_tile(size, &sections)?,
@@ -50,6 +50,38 @@ impl Prepared<'_> {
             return Err(GpuError::Full { what, reason: error.to_string() });
         }
         Ok(tile)
+    }
+
+    /// Returns the sections of a tile.
+    pub(super) fn sections(&self) -> Sections {
+        Sections { star_images: self.star_room() * self.star_image_bytes(), ..self.plan.sections() }
+    }
+
+    /// Returns the number of images of stars for which a tile has room: as many as there are stars, up to a few in each pixel, and the lights
+    /// at edges of the sky. If there are more, the tile is rendered again.
+    fn star_room(&self) -> u64 {
+        if !self.program.features.has_stars {
+            return 0;
+        }
+        let stars: u64 = self.scene.stars.iter().flatten().map(|stars| stars.catalog.stars.len() as u64).sum();
+        let size = self.settings.window.unwrap_or(Window::whole(self.scene.image.size)).size;
+        let pixels: u64 = size.map(u64::from).iter().product();
+        self.star_images.max((stars + stars / 2).min(2 * pixels) + pixels / 16)
+    }
+
+    fn star_image_bytes(&self) -> u64 {
+        self.program.layout(&Role::StarImages).map_or(0, |layout| layout.span.into())
+    }
+
+    /// Makes room for this number of images of stars. If the device does not allow such a list, tiles become smaller.
+    fn make_star_room(&mut self, tile: &Tile, images: u64) {
+        let limits = &self.gpu.limits;
+        let allowed = limits.max_storage_buffer_binding_size.min(limits.max_buffer_size) / self.star_image_bytes();
+        let wanted = images.max(self.star_room()) / 4 * 5;
+        if wanted > allowed {
+            self.settings.tile_pixels = tile.pixels() / 2;
+        }
+        self.star_images = wanted.min(allowed);
     }
 
     /// Writes a sample's frame into a section of the tile's buffer.
@@ -84,7 +116,7 @@ impl Prepared<'_> {
             let records = Records::take(self.gpu, &self.program, tile, &Role::StarCounts)?;
             let Some(counts) = records.rows().next() else { return Ok(TileEnd::Done) };
             if counts.uint("lost") > 0 {
-                self.star_cells = 1;
+                self.make_star_room(tile, counts.uint("listed").into());
                 Records::take(self.gpu, &self.program, tile, &Role::Tally)?;
                 return Ok(TileEnd::Again);
             }

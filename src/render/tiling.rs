@@ -19,7 +19,7 @@ impl Renderer<'_> {
 
     /// Returns the bytes on the device that do not depend on the size of the tile.
     fn fixed_memory(&self) -> u64 {
-        SceneBuffers::bytes(self.prepared.all_buffers()) + self.prepared.plan.sections().bytes()
+        SceneBuffers::bytes(self.prepared.all_buffers()) + self.prepared.sections().bytes()
     }
 
     /// Returns the size of the largest tile that the budget and the device allow for the window.

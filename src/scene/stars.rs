@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use glam::DMat3;
 
-use crate::assets::Catalog;
+use crate::assets::{Catalog, Star};
 
 /// The illuminance of a star of magnitude 0 outside the atmosphere, in lux.
 const ZERO_MAGNITUDE: f64 = 2.54e-6;
@@ -25,11 +25,15 @@ pub struct Stars {
 }
 
 impl Stars {
-    /// Returns the index, the magnitude and the light of each star that is shown.
-    pub fn shown(&self) -> impl Iterator<Item = (usize, f64)> {
-        let all = self.catalog.stars.iter().enumerate();
-        let shown = all.filter(|(_, star)| f64::from(star.magnitude) <= self.limit);
-        shown.map(|(i, star)| (i, self.intensity * flux(star.magnitude.into())))
+    /// Returns the stars that are shown.
+    pub fn shown(&self) -> impl Iterator<Item = &Star> {
+        self.catalog.stars.iter().filter(|star| f64::from(star.magnitude) <= self.limit)
+    }
+
+    /// Returns the light of a star in the scene.
+    #[must_use]
+    pub fn flux(&self, star: &Star) -> f64 {
+        self.intensity * flux(star.magnitude.into())
     }
 }
 

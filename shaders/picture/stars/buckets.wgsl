@@ -8,14 +8,18 @@ struct Star {
     kelvins: f32,
 }
 
-// Sorted by face, row and column.
-var<storage, read> star_list: array<Star>;
+// For each sky its stars, sorted by face, row and column; then its light in coarser buckets: those eight times as wide, those twice as wide
+// again, and so on up to a whole face.
+var<storage, read> star_list: array<vec4f>;
 // The first star of each bucket of each sky, and the end of the last one.
 var<storage, read> star_buckets: array<u32>;
-// The light of each sky in coarser buckets: those eight times as wide, those twice as wide again, and so on up to a whole face.
-var<storage, read> star_means: array<vec3f>;
 
 const FINEST_MEAN: u32 = 8u;
+
+fn star_at(n: u32) -> Star {
+    let row = star_list[n];
+    return Star(row.xy, row.z, row.w);
+}
 
 // Returns the components of a direction along a face, and towards it. The faces are +x, -x, +y, -y, +z and -z, and the axes along a face
 // follow its own in the order x, y, z, x, y.
@@ -53,6 +57,9 @@ struct FaceBox {
     // The range of places on the face.
     low: vec2f,
     high: vec2f,
+    // The places of the corners, and how far the cell may extend beyond them.
+    corners: array<vec2f, 4>,
+    slack: f32,
 }
 
 // corners: directions less than half a radian apart. bulge: how far the cell may extend beyond them.
@@ -70,50 +77,86 @@ fn face_box(face: u32, corners: array<vec3f, 4>, buckets: u32, bulge: f32) -> Fa
     let low = min(min(pa, pb), min(pc, pd)) - slack;
     let high = max(max(pa, pb), max(pc, pd)) + slack;
     if !(ahead > LEAST_AHEAD) || any(low > vec2f(1.0)) || any(high < vec2f(-1.0)) {
-        return FaceBox(vec2u(0u), vec2u(0u), 0u, vec2f(0.0), vec2f(0.0));
+        return FaceBox();
     }
     let scale = 0.5 * f32(buckets);
     let last = vec2f(f32(buckets - 1u));
     let first_place = vec2u(clamp(floor((low + 1.0) * scale), vec2f(0.0), last));
     let last_place = vec2u(clamp(floor((high + 1.0) * scale), vec2f(0.0), last));
     let size = last_place - first_place + 1u;
-    return FaceBox(first_place, last_place, size.x * size.y, low, high);
+    return FaceBox(first_place, last_place, size.x * size.y, low, high, array<vec2f, 4>(pa, pb, pc, pd), slack);
 }
 
-// A scan of the stars near a part of the sky, range by range.
+// The sides of a cell on a face, as lines (n, c): a place p inside has n·p + c ≥ −slack for each.
+struct FaceSides {
+    lines: array<vec3f, 4>,
+    slack: f32,
+}
+
+// Returns the sides of a cell. If it is folded, they exclude no place.
+fn face_sides(within: FaceBox) -> FaceSides {
+    let p = within.corners;
+    let turns = vec4f(
+        wedge(p[1] - p[0], p[3] - p[1]),
+        wedge(p[3] - p[1], p[2] - p[3]),
+        wedge(p[2] - p[3], p[0] - p[2]),
+        wedge(p[0] - p[2], p[1] - p[0]),
+    );
+    let turn = select(0.0, 1.0, all(turns > vec4f(0.0))) - select(0.0, 1.0, all(turns < vec4f(0.0)));
+    return FaceSides(
+        array<vec3f, 4>(side_line(p[0], p[1], turn), side_line(p[1], p[3], turn), side_line(p[3], p[2], turn), side_line(p[2], p[0], turn)),
+        within.slack,
+    );
+}
+
+fn wedge(a: vec2f, b: vec2f) -> f32 {
+    return a.x * b.y - a.y * b.x;
+}
+
+// Returns the line through two points, whose positive side is to the left if `turn` is 1, and to the right if it is −1.
+fn side_line(p: vec2f, q: vec2f, turn: f32) -> vec3f {
+    let along = (q - p) * (turn / max(distance(p, q), 1e-30));
+    return vec3f(-along.y, along.x, -wedge(along, p));
+}
+
+fn between_sides(sides: FaceSides, p: vec2f) -> bool {
+    let at = vec3f(p, 1.0);
+    let near = min(dot(sides.lines[0], at), dot(sides.lines[1], at));
+    let far = min(dot(sides.lines[2], at), dot(sides.lines[3], at));
+    return min(near, far) >= -sides.slack;
+}
+
+// A scan of the stars in a part of a face, row by row.
 struct StarScan {
-    // The faces that are left, as bits, the face, its part, and the next row of buckets there.
-    faces: u32,
-    face: u32,
-    within: FaceBox,
-    row: u32,
-    // The range of stars.
+    // The first and the last bucket of the row, and the number of rows that follow.
+    first: u32,
+    last: u32,
+    rows: u32,
+    // The stars in the row that are left.
     star: u32,
     until: u32,
-    // `false` after the last range.
-    more: bool,
 }
 
-fn star_scan(corners: array<vec3f, 4>, bulge: f32) -> StarScan {
-    return StarScan(faces_of(corners, bulge), 0u, FaceBox(), 1u, 0u, 0u, true);
+fn star_scan(face: u32, within: FaceBox, own: StarSky) -> StarScan {
+    let row = own.first_bucket + (face * own.buckets + within.first.y) * own.buckets;
+    let first = row + within.first.x;
+    let last = row + within.last.x;
+    let star = star_buckets[first];
+    let until = select(star, star_buckets[last + 1u], within.count > 0u);
+    return StarScan(first, last, within.last.y - within.first.y, star, until);
 }
 
-// Returns the scan with the next range of stars, which may be empty.
-fn next_range(scan: StarScan, corners: array<vec3f, 4>, own: StarSky, bulge: f32) -> StarScan {
-    var next = scan;
-    if scan.within.count > 0u && scan.row <= scan.within.last.y {
-        let bucket = own.first_bucket + (scan.face * own.buckets + scan.row) * own.buckets;
-        next.star = star_buckets[bucket + scan.within.first.x];
-        next.until = star_buckets[bucket + scan.within.last.x + 1u];
-        next.row++;
-    } else {
-        next.more = scan.faces != 0u;
-        next.face = min(firstTrailingBit(scan.faces), 5u);
-        next.faces &= scan.faces - 1u;
-        next.within = face_box(next.face, corners, own.buckets, bulge);
-        next.row = next.within.first.y;
-    }
-    return next;
+// Returns the scan with the stars of the next row, if there is one.
+fn next_row(scan: StarScan, buckets: u32) -> StarScan {
+    let step = select(0u, 1u, scan.rows > 0u);
+    let first = scan.first + step * buckets;
+    let last = scan.last + step * buckets;
+    let until = star_buckets[last + 1u];
+    return StarScan(first, last, scan.rows - step, select(until, star_buckets[first], step == 1u), until);
+}
+
+fn scan_ended(scan: StarScan) -> bool {
+    return scan.star >= scan.until && scan.rows == 0u;
 }
 
 // A cell that covers a part of a face is ahead of it by more than this.

@@ -1,5 +1,4 @@
-// Finds the images of stars in a cell of the grid, the square between the centers of four pixels, and the light that they give to the 16
-// pixels around it.
+// Finds the images of stars in a cell of the grid, the square between the centers of four pixels.
 //
 // A star is a sky of radiance F δ(Ω − Ω_s), so that an image at p has the radiance F w K(x − p)/|J(p)|: w is the factor of the sky's light on
 // its way, J = Ω·(∂Ω/∂x × ∂Ω/∂y) the solid angle of the sky per area of the image, and K a filter whose weights over the pixels sum to 1. The
@@ -14,8 +13,6 @@ const UNEVEN: f32 = 3.0;
 // The number of parts of such cells along each side.
 const PARTS: u32 = 4u;
 
-// The light of the cell so far.
-var<private> cell_light: array<vec3f, 16>;
 // The sky of the cell.
 var<private> cell_sky: StarSky;
 // The rays at its corners, in reading order, and the one that is missing; 4 if all are there.
@@ -58,13 +55,16 @@ fn load_patch(pixel: vec2u) -> bool {
         }
         corner_rays[corner_missing] = filled;
     }
+    var own = 0u;
     for (var k = 0u; k < 16u; k++) {
-        patch_ways[k] = grid_rays[patch_place_at(pixel, k)].place;
+        let ray = grid_rays[patch_place_at(pixel, k)];
+        patch_ways[k] = ray.place;
+        own |= select(0u, 1u, ray.end == end) << k;
     }
     for (var k = 0u; k < 4u; k++) {
         patch_ways[5u + (k & 1u) + 4u * (k >> 1u)] = corner_rays[k].place;
     }
-    extend_patch(pixel, end);
+    extend_patch(own);
     return spread(array<vec3f, 4>(corner_rays[0].place, corner_rays[1].place, corner_rays[2].place, corner_rays[3].place)) < WIDEST_CELL;
 }
 
@@ -74,14 +74,15 @@ fn spread(p: array<vec3f, 4>) -> f32 {
     return max(sides, max(distance(p[0], p[3]), distance(p[1], p[2])));
 }
 
-// Continues the directions of a cell in straight lines to neighbors that do not belong to it.
-fn extend_patch(pixel: vec2u, end: u32) {
+// Continues the directions of a cell in straight lines to neighbors that do not belong to it. own: the rays with the end of the cell, as
+// bits.
+fn extend_patch(own: u32) {
     for (var i = 0u; i < 2u; i++) {
         let row = 4u + 4u * i;
-        continue_patch(pixel, end, row, row + 1u, row + 2u);
-        continue_patch(pixel, end, row + 3u, row + 2u, row + 1u);
-        continue_patch(pixel, end, 1u + i, 5u + i, 9u + i);
-        continue_patch(pixel, end, 13u + i, 9u + i, 5u + i);
+        continue_patch(own, row, row + 1u, row + 2u);
+        continue_patch(own, row + 3u, row + 2u, row + 1u);
+        continue_patch(own, 1u + i, 5u + i, 9u + i);
+        continue_patch(own, 13u + i, 9u + i, 5u + i);
     }
     for (var i = 0u; i < 4u; i++) {
         let k = 3u * (i & 1u) + 12u * (i >> 1u);
@@ -89,16 +90,16 @@ fn extend_patch(pixel: vec2u, end: u32) {
         let below = select(k - 4u, k + 4u, i < 2u);
         let corner = beside + below - k;
         let straight = patch_ways[beside] + patch_ways[below] - patch_ways[corner];
-        patch_ways[k] = select(straight, patch_ways[k], belongs(pixel, end, k, corner));
+        patch_ways[k] = select(straight, patch_ways[k], belongs(own, k, corner));
     }
 }
 
-fn continue_patch(pixel: vec2u, end: u32, k: u32, near: u32, far: u32) {
-    patch_ways[k] = select(2.0 * patch_ways[near] - patch_ways[far], patch_ways[k], belongs(pixel, end, k, near));
+fn continue_patch(own: u32, k: u32, near: u32, far: u32) {
+    patch_ways[k] = select(2.0 * patch_ways[near] - patch_ways[far], patch_ways[k], belongs(own, k, near));
 }
 
-fn belongs(pixel: vec2u, end: u32, k: u32, near: u32) -> bool {
-    return grid_rays[patch_place_at(pixel, k)].end == end && distance(patch_ways[k], patch_ways[near]) < WIDEST_CELL;
+fn belongs(own: u32, k: u32, near: u32) -> bool {
+    return extractBits(own, k, 1u) == 1u && distance(patch_ways[k], patch_ways[near]) < WIDEST_CELL;
 }
 
 // Returns the area at a corner of the cell.
@@ -106,29 +107,36 @@ fn corner_area(k: u32) -> f32 {
     return patch_area(patch_point(vec2f(vec2u(k & 1u, k >> 1u))));
 }
 
-// Returns the light of a cell in the 16 pixels around it.
-fn light_of_cell(pixel: vec2u) -> array<vec3f, 16> {
-    cell_light = array<vec3f, 16>();
+// Finds the light of a cell, and returns its first image.
+fn images_in_cell(pixel: vec2u) -> u32 {
+    first_image = 0u;
     if load_patch(pixel) {
         cell_sky = star_sky(corner_rays[select(0u, 3u, corner_missing == 0u)].end);
         find_images();
     } else {
         add_edge();
     }
-    return cell_light;
+    return first_image;
 }
 
 fn find_images() {
-    let whole = part_corners(vec2f(0.0), 1.0);
+    let whole = array<vec3f, 4>(corner_rays[0].place, corner_rays[1].place, corner_rays[2].place, corner_rays[3].place);
+    var faces = faces_of(whole, 0.0);
     var buckets = 0u;
-    for (var face = 0u; face < 6u; face++) {
-        buckets += face_box(face, whole, cell_sky.buckets, 0.0).count;
+    loop {
+        buckets += face_box(min(firstTrailingBit(faces), 5u), whole, cell_sky.buckets, 0.0).count;
+        faces &= faces - 1u;
+        continuing {
+            break if faces == 0u;
+        }
     }
     if buckets > MOST_BUCKETS {
         add_mean(whole);
         return;
     }
-    corner_areas = vec4f(corner_area(0u), corner_area(1u), corner_area(2u), corner_area(3u));
+    for (var k = 0u; k < 4u; k++) {
+        corner_areas[k] = corner_area(k);
+    }
     let least = min(min(corner_areas.x, corner_areas.y), min(corner_areas.z, corner_areas.w));
     let most = max(max(corner_areas.x, corner_areas.y), max(corner_areas.z, corner_areas.w));
     let uneven = max(most, -least) > UNEVEN * max(least, -most) && corner_missing == 4u;

@@ -1,4 +1,4 @@
-// The light of images of stars in a cell of the grid, and the mean light of many stars.
+// The images of stars in a cell of the grid, and the mean light of many stars.
 
 struct StarCounts {
     // The number of images.
@@ -7,19 +7,16 @@ struct StarCounts {
     limited: atomic<u32>,
     // The number of cells that show the mean light of many stars.
     averaged: atomic<u32>,
-    // The number of cells without room for their light.
+    // The number of images without room.
     lost: atomic<u32>,
+    // The number of images of the grid, and of lights that fill their cells.
+    listed: atomic<u32>,
 }
 
 var<storage, read_write> star_counts: StarCounts;
 
-// Returns the weights of four pixels in a row for an image at t between the second and the third: a cubic B-spline.
-fn star_weights(t: f32) -> vec4f {
-    let u = 1.0 - t;
-    let t2 = t * t;
-    let t3 = t2 * t;
-    return vec4f(u * u * u, 3.0 * t3 - 6.0 * t2 + 4.0, 3.0 * (t + t2 - t3) + 1.0, t3) / 6.0;
-}
+// The images in the cell so far, as in `star_heads`.
+var<private> first_image: u32;
 
 // Returns a value between those at the corners.
 fn between(values: vec4f, at: vec2f) -> f32 {
@@ -56,8 +53,9 @@ fn least_area(point: PatchPoint, at: vec2f) -> f32 {
 }
 
 fn add_image(star: Star, way: vec3f, start: vec2f) {
-    let at = patch_place(way, start);
-    let point = patch_point(at);
+    let place = patch_place(way, start);
+    let point = place.point;
+    let at = place.at;
     let own = abs(patch_area(point));
     let least = least_area(point, at);
     let area = max(own, least);
@@ -67,16 +65,21 @@ fn add_image(star: Star, way: vec3f, start: vec2f) {
     if !(area > 0.0) || !finite(Real3(light)) {
         return;
     }
-    add_light(light, star_weights(within.x), star_weights(within.y));
+    add_light(light, within);
     atomicAdd(&star_counts.images, 1u);
     if own < least {
         atomicAdd(&star_counts.limited, 1u);
     }
 }
 
-fn add_light(light: vec3f, columns: vec4f, rows: vec4f) {
-    for (var k = 0u; k < 16u; k++) {
-        cell_light[k] += (columns[k & 3u] * rows[k >> 2u]) * light;
+// Adds an image to the cell.
+fn add_light(light: vec3f, at: vec2f) {
+    let n = atomicAdd(&star_counts.listed, 1u);
+    if n < arrayLength(&star_images) {
+        star_images[n] = StarImage(light, first_image, at);
+        first_image = n + 1u;
+    } else {
+        atomicAdd(&star_counts.lost, 1u);
     }
 }
 
@@ -89,10 +92,9 @@ fn shifted_mean(mean: vec3f, g: f32) -> vec3f {
     return mean;
 }
 
-// Adds light that fills the area of the cell. The weights are the means of the filter over the cell.
+// Adds light that fills the area of the cell.
 fn fill_cell(light: vec3f) {
-    let weights = vec4f(1.0, 11.0, 11.0, 1.0) / 24.0;
-    add_light(light, weights, weights);
+    add_light(light, vec2f(EVERYWHERE));
     atomicAdd(&star_counts.averaged, 1u);
 }
 
@@ -131,7 +133,7 @@ fn add_mean(corners: array<vec3f, 4>) {
     let columns = within.last.x - within.first.x + 1u;
     for (var k = 0u; k < within.count; k++) {
         let bucket = within.first + vec2u(k % columns, k / columns);
-        light += star_means[first + (face * buckets + bucket.y) * buckets + bucket.x];
+        light += star_list[first + (face * buckets + bucket.y) * buckets + bucket.x].xyz;
         let place = (2.0 * vec2f(bucket) + 1.0) / f32(buckets) - 1.0;
         let far2 = 1.0 + dot(place, place);
         area += 4.0 / (f32(buckets * buckets) * far2 * sqrt(far2));

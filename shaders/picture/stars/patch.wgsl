@@ -51,31 +51,40 @@ fn patch_area(point: PatchPoint) -> f32 {
     return dot(point.way, cross(point.across, point.down)) / (length2 * sqrt(length2));
 }
 
-// Returns the point of the patch at which the direction is `s`, by Newton's method from `start`.
-fn patch_place(s: vec3f, start: vec2f) -> vec2f {
+// A position in the cell, and the patch there.
+struct PatchPlace {
+    at: vec2f,
+    point: PatchPoint,
+}
+
+// Finds the point of the patch at which the direction is `s`, by Newton's method from `start`.
+fn patch_place(s: vec3f, start: vec2f) -> PatchPlace {
     let first = normalize(cross(s, select(vec3f(1.0, 0.0, 0.0), vec3f(0.0, 1.0, 0.0), abs(s.x) > 0.6)));
     let second = cross(s, first);
     var at = start;
+    var point: PatchPoint;
     var i = 0u;
     var settled = false;
     loop {
-        let point = patch_point(at);
+        point = patch_point(at);
         let off = vec2f(dot(point.way - s, first), dot(point.way - s, second));
         let across = vec2f(dot(point.across, first), dot(point.across, second));
         let down = vec2f(dot(point.down, first), dot(point.down, second));
         let area = across.x * down.y - across.y * down.x;
         let change = vec2f(off.x * down.y - off.y * down.x, across.x * off.y - across.y * off.x) / area;
-        at -= clamp(change, vec2f(-0.5), vec2f(0.5));
         i++;
-        settled = all(abs(change) < vec2f(LAST_CHANGE));
+        settled = all(abs(change) < vec2f(LAST_CHANGE)) || i >= NEWTON_ROUNDS;
+        let next = at - clamp(change, vec2f(-0.5), vec2f(0.5));
+        // Without a solution near the start, the start itself is the best one.
+        let is_near = all(abs(next - start) <= vec2f(1.0));
+        at = select(select(start, next, is_near), at, settled);
         continuing {
-            break if settled || i >= NEWTON_ROUNDS;
+            break if settled;
         }
     }
-    let far = any(abs(at - start) > vec2f(1.0));
-    return select(at, start, far || !(at.x * at.y < 1e3));
+    return PatchPlace(at, point);
 }
 
-const NEWTON_ROUNDS: u32 = 4u;
-// A change of the position after which the next one would be below rounding.
-const LAST_CHANGE: f32 = 1e-3;
+const NEWTON_ROUNDS: u32 = 5u;
+// A change of the position that no longer matters.
+const LAST_CHANGE: f32 = 1e-4;

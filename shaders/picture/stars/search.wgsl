@@ -59,28 +59,40 @@ fn in_part(corners: array<vec3f, 4>, s: vec3f) -> InPart {
 // Adds the images in a square part of the cell.
 fn scan_part(origin: vec2f, side: f32) {
     let corners = part_corners(origin, side);
-    var scan = star_scan(corners, 0.0);
+    var faces = faces_of(corners, 0.0);
+    loop {
+        let face = min(firstTrailingBit(faces), 5u);
+        scan_face(face, corners, origin, side);
+        faces &= faces - 1u;
+        continuing {
+            break if faces == 0u;
+        }
+    }
+}
+
+fn scan_face(face: u32, corners: array<vec3f, 4>, origin: vec2f, side: f32) {
+    var scan = star_scan(face, face_box(face, corners, cell_sky.buckets, 0.0), cell_sky);
     loop {
         // Proceeds to the next star that the part contains.
         var found = InPart(false, vec2f(0.0));
         var way: vec3f;
         loop {
             if scan.star < scan.until {
-                way = normalize(from_face(scan.face, star_list[scan.star].place));
+                way = normalize(from_face(face, star_list[scan.star].xy));
                 found = in_part(corners, way);
                 scan.star++;
             } else {
-                scan = next_range(scan, corners, cell_sky, 0.0);
+                scan = next_row(scan, cell_sky.buckets);
             }
             continuing {
-                break if found.there || !scan.more;
+                break if found.there || scan_ended(scan);
             }
         }
         if found.there {
-            add_image(star_list[scan.star - 1u], way, origin + side * found.at);
+            add_image(star_at(scan.star - 1u), way, origin + side * found.at);
         }
         continuing {
-            break if !scan.more;
+            break if scan_ended(scan);
         }
     }
 }

@@ -1,4 +1,4 @@
-// Lists the cells of the grid in which there are stars, and stores the light of each for the pixels around it.
+// Lists the cells of the grid in which there are stars.
 
 struct StarWork {
     // The number of groups of a dispatch over the list.
@@ -18,18 +18,8 @@ struct StarWorkRead {
     cells: array<u32>,
 }
 
-// The radiance that a cell gives to the pixels around it, by channel, column and row.
-struct StarCell {
-    light: array<f32, 48>,
-}
-
 var<storage, read_write> star_work_out: StarWork;
 var<storage, read> star_work_in: StarWorkRead;
-// The number of each cell in the list, counted from 1; 0 if it is not there.
-var<storage, read_write> star_slots: array<u32>;
-// The light of the cells in the list.
-var<storage, read_write> star_cells: array<StarCell>;
-
 // The number of groups in one row of a dispatch with several rows.
 const STAR_ROW: u32 = 32768u;
 
@@ -67,23 +57,19 @@ fn is_lit(pixel: vec2u) -> bool {
 // Returns `true` if there is a star in the box of a cell on a face.
 fn has_star(corners: array<vec3f, 4>, own: StarSky, face: u32, bulge: f32) -> bool {
     let within = face_box(face, corners, own.buckets, bulge);
-    let bucket = own.first_bucket + face * own.buckets * own.buckets;
-    var row = within.first.y;
-    var star = star_buckets[bucket + row * own.buckets + within.first.x];
-    var until = select(star, star_buckets[bucket + row * own.buckets + within.last.x + 1u], within.count > 0u);
+    let sides = face_sides(within);
+    var scan = star_scan(face, within, own);
     var found = false;
     loop {
-        if star < until {
-            let at = star_list[star].place;
-            found = all(at >= within.low) & all(at <= within.high);
-            star++;
+        if scan.star < scan.until {
+            let at = star_list[scan.star].xy;
+            found = all(at >= within.low) & all(at <= within.high) & between_sides(sides, at);
+            scan.star++;
         } else {
-            row++;
-            star = star_buckets[bucket + row * own.buckets + within.first.x];
-            until = select(star, star_buckets[bucket + row * own.buckets + within.last.x + 1u], row <= within.last.y);
+            scan = next_row(scan, own.buckets);
         }
         continuing {
-            break if found || (star >= until && row >= within.last.y);
+            break if found || scan_ended(scan);
         }
     }
     return found;
@@ -104,7 +90,6 @@ fn bent(pixel: vec2u, stride: u32, a: vec3f, b: vec3f, end: u32) -> f32 {
 fn list_cell(pixel: vec2u) {
     let n = atomicAdd(&star_work_out.count, 1u);
     star_work_out.cells[n] = pixel.x | (pixel.y << 16u);
-    star_slots[place_in_tile(pixel)] = n + 1u;
     if n % GROUP == 0u {
         let groups = n / GROUP + 1u;
         atomicMax(&star_work_out.x, min(groups, STAR_ROW));
@@ -113,41 +98,9 @@ fn list_cell(pixel: vec2u) {
     }
 }
 
-// Computes the light of the n-th cell of the list.
+// Finds the images in the n-th cell of the list.
 fn light_listed_cell(n: u32) {
     let packed = star_work_in.cells[n];
     let pixel = vec2u(packed & 0xffffu, packed >> 16u);
-    let light = light_of_cell(pixel);
-    if n < arrayLength(&star_cells) {
-        for (var k = 0u; k < 16u; k++) {
-            star_cells[n].light[3u * k] = light[k].x;
-            star_cells[n].light[3u * k + 1u] = light[k].y;
-            star_cells[n].light[3u * k + 2u] = light[k].z;
-        }
-    } else {
-        atomicAdd(&star_counts.lost, 1u);
-    }
-}
-
-// Returns the light that a pixel receives from the stars in the 16 cells around it.
-fn starlight(pixel: vec2u) -> vec3f {
-    let last = place_in_tile(pixel + 1u);
-    // The cells with light, as bits.
-    var cells = 0u;
-    for (var k = 0u; k < 16u; k++) {
-        cells |= min(star_slots[last - (k & 3u) - (k >> 2u) * frame.size.x], 1u) << k;
-    }
-    var sum = vec3f(0.0);
-    loop {
-        if cells != 0u {
-            let k = firstTrailingBit(cells);
-            let n = star_slots[last - (k & 3u) - (k >> 2u) * frame.size.x] - 1u;
-            sum += vec3f(star_cells[n].light[3u * k], star_cells[n].light[3u * k + 1u], star_cells[n].light[3u * k + 2u]);
-            cells &= cells - 1u;
-        }
-        continuing {
-            break if cells == 0u;
-        }
-    }
-    return sum;
+    star_heads[place_in_tile(pixel)] = images_in_cell(pixel);
 }
