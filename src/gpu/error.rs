@@ -6,9 +6,10 @@ fn others(there: &[String]) -> String {
     if there.is_empty() { String::new() } else { format!(" ({})", there.join(", ")) }
 }
 
-/// Returns a remedy for an exceeded limit, if there is one.
-fn remedy(limit: &str) -> &'static str {
+/// Returns a remedy for an exceeded limit, if there is one. what: the limited quantity.
+fn remedy(limit: &str, what: &str) -> &'static str {
     match limit {
+        _ if what.contains("`star_list`") => ": show fewer stars, by a lower `sky.stars.limit`",
         "max_storage_buffer_binding_size" => ": use fewer triangles or objects, or a coarser grid",
         "max_texture_dimension_2d" => ": use a smaller image",
         _ => "",
@@ -42,7 +43,7 @@ pub enum GpuError {
         reason: String,
     },
     /// A limit of the device is too low for the scene.
-    #[error("{device} allows {allowed} {what}, but this scene needs {needed} ({limit}){}", remedy(limit))]
+    #[error("{device} allows {allowed} {what}, but this scene needs {needed} ({limit}){}", remedy(limit, what))]
     Limit {
         /// The adapter's name.
         device: String,

@@ -1,7 +1,5 @@
 //! Sorts the stars of a scene's skies into the buckets of `shaders/picture/stars/buckets.wgsl`.
 
-use std::sync::Arc;
-
 use glam::{DVec2, DVec3};
 use rayon::prelude::*;
 
@@ -21,15 +19,15 @@ pub(super) struct StarSkies {
     skies: [Option<StarSky>; 2],
 }
 
-/// The size of the lists of one sky.
+/// The places of one sky in the lists.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct StarSky {
     /// The number of buckets along the edge of a face.
     pub(super) buckets: u32,
-    /// The number of stars.
-    pub(super) stars: u32,
-    /// The number of means.
-    pub(super) means: u32,
+    /// The first bucket.
+    pub(super) first_bucket: u32,
+    /// The first mean, behind the stars.
+    pub(super) first_mean: u32,
     /// The mean radiance of the whole sky.
     pub(super) mean: DVec3,
 }
@@ -40,26 +38,36 @@ impl StarSkies {
         [0, 1].map(|side| self.skies[side].zip(scene.stars[side].as_ref()))
     }
 
-    /// Returns `true` if a scene has the same lists: its skies may be turned, and the disks of stars may have another size.
+    /// Returns `true` if a scene has the same lists.
     pub(super) fn is_of(&self, scene: &Scene) -> bool {
         self.of.iter().zip(&scene.stars).all(|pair| match pair {
-            (Some(a), Some(b)) => {
-                Arc::ptr_eq(&a.catalog, &b.catalog) && (a.intensity, a.limit) == (b.intensity, b.limit)
-            }
+            (Some(a), Some(b)) => a.are_those_of(b),
             (a, b) => a.is_none() && b.is_none(),
         })
     }
 
-    /// Sorts the stars of a scene.
+    /// Sorts the stars of a scene. Both sides of a wormhole may have the same stars.
     pub(super) fn sorted(scene: &Scene) -> (Self, Vec<SortedStars>) {
-        let sorted = [0, 1].map(|side| scene.stars[side].as_ref().map(SortedStars::of));
-        let skies = [0, 1].map(|side| sorted[side].as_ref().map(SortedStars::sky));
-        (Self { of: scene.stars.clone(), skies }, sorted.into_iter().flatten().collect())
+        let [near, beyond] = &scene.stars;
+        let mut lists = Vec::new();
+        let mut sorted = |stars: &Stars| {
+            lists.push(SortedStars::of(stars, lists.last()));
+            lists.last().map(SortedStars::sky)
+        };
+        let first = near.as_ref().and_then(&mut sorted);
+        let second = beyond.as_ref().and_then(|stars| match near {
+            Some(near) if near.are_those_of(stars) => first,
+            _ => sorted(stars),
+        });
+        (Self { of: scene.stars.clone(), skies: [first, second] }, lists)
     }
 }
 
 /// The stars of one sky, in buckets.
 pub(super) struct SortedStars {
+    /// The place of the first star among the stars and means of all skies, and the first bucket.
+    first: usize,
+    first_bucket: u32,
     /// The number of buckets along the edge of a face.
     buckets: u32,
     /// The bucket, place, flux and temperature of each star, sorted.
@@ -69,9 +77,10 @@ pub(super) struct SortedStars {
 }
 
 impl SortedStars {
-    fn of(stars: &Stars) -> Self {
+    /// Sorts stars that follow those of another sky, if any.
+    fn of(stars: &Stars, before: Option<&Self>) -> Self {
         let shown: Vec<&Star> = stars.shown().collect();
-        let buckets = bucket_count(shown.len());
+        let buckets = buckets_along_face(shown.len());
         let place = |star: &Star| {
             let flux = stars.flux(star);
             let (face, place) = on_face(star.direction);
@@ -88,27 +97,31 @@ impl SortedStars {
             });
         });
         let means = means(buckets, &sorted);
-        Self { buckets, stars: sorted, means }
+        let first = before.map_or(0, |own| own.first + own.stars.len() + own.means.len());
+        let first_bucket = before.map_or(0, |own| own.first_bucket + own.bucket_count() + 1);
+        Self { first, first_bucket, buckets, stars: sorted, means }
     }
 
-    /// Returns the first star of each bucket, counted from `first`, and the end of the last one.
-    pub(super) fn starts(&self, first: usize) -> Vec<u32> {
-        let count = 6 * self.buckets * self.buckets;
-        let mut starts = Vec::with_capacity(count as usize + 1);
+    fn bucket_count(&self) -> u32 {
+        6 * self.buckets * self.buckets
+    }
+
+    /// Returns the first star of each bucket, and the end of the last one.
+    pub(super) fn starts(&self) -> Vec<u32> {
         let mut at = 0;
-        for bucket in 0..=count {
+        let start = |bucket| {
             while self.stars.get(at).is_some_and(|star| star.0 < bucket) {
                 at += 1;
             }
-            starts.push((first + at) as u32);
-        }
-        starts
+            (self.first + at) as u32
+        };
+        (0..=self.bucket_count()).map(start).collect()
     }
 
     fn sky(&self) -> StarSky {
         let mean = self.means[self.means.len() - 6..].iter().copied().sum::<DVec3>() / (4.0 * std::f64::consts::PI);
-        let [stars, means] = [self.stars.len(), self.means.len()].map(|count| count as u32);
-        StarSky { buckets: self.buckets, stars, means, mean }
+        let first_mean = (self.first + self.stars.len()) as u32;
+        StarSky { buckets: self.buckets, first_bucket: self.first_bucket, first_mean, mean }
     }
 }
 
@@ -151,7 +164,7 @@ fn split(bucket: u32, buckets: u32) -> (u32, u32, u32) {
 
 /// Returns the number of buckets along the edge of a face, a power of two near ¾ of the square root of the number of stars, so that few
 /// buckets have several stars.
-fn bucket_count(stars: usize) -> u32 {
+fn buckets_along_face(stars: usize) -> u32 {
     let power = (0.75 * (stars.max(1) as f64).sqrt()).log2().round().max(0.0);
     (1_u32 << power as u32).min(MOST_BUCKETS)
 }

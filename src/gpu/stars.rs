@@ -18,13 +18,8 @@ impl Uploads<'_> {
             "star_skies" => pack(name, layout, rows(self.star_skies.of(self.scene))).map(Some),
             "star_list" => Ok(Some(list(&self.stars))),
             "star_buckets" => {
-                let mut first = 0;
-                let starts = self.stars.iter().flat_map(|own| {
-                    let starts = own.starts(first);
-                    first += own.stars.len() + own.means.len();
-                    starts
-                });
-                Ok(Some(bytemuck::cast_slice(&starts.collect::<Vec<u32>>()).to_vec()))
+                let starts: Vec<u32> = self.stars.iter().flat_map(SortedStars::starts).collect();
+                Ok(Some(bytemuck::cast_slice(&starts).to_vec()))
             }
             _ => Ok(None),
         }
@@ -45,24 +40,18 @@ fn list(skies: &[SortedStars]) -> Vec<u8> {
 
 /// Returns the records of both skies; a sky without stars has no buckets.
 fn rows(skies: [Option<(StarSky, &Stars)>; 2]) -> [Row; 2] {
-    let (mut bucket, mut first) = (0, 0);
     skies.map(|own| {
-        let axes = own.map_or(DMat3::IDENTITY, |(_, stars)| stars.rotation);
-        let buckets = own.map_or(0, |(sky, _)| sky.buckets);
-        let row = row! {
+        let (sky, stars) = own.unzip();
+        let axes = stars.map_or(DMat3::IDENTITY, |stars| stars.rotation);
+        row! {
             first: Vec3(axes.x_axis),
             second: Vec3(axes.y_axis),
             third: Vec3(axes.z_axis),
-            buckets: Uint(buckets),
-            first_bucket: Uint(bucket),
-            first_mean: Uint(first + own.map_or(0, |(sky, _)| sky.stars)),
-            radius: Float(own.map_or(0.0, |(_, stars)| 0.5 * stars.size)),
-            mean: Vec3(own.map_or(DVec3::ZERO, |(sky, _)| sky.mean)),
-        };
-        if let Some((sky, _)) = own {
-            bucket += 6 * buckets * buckets + 1;
-            first += sky.stars + sky.means;
+            buckets: Uint(sky.map_or(0, |sky| sky.buckets)),
+            first_bucket: Uint(sky.map_or(0, |sky| sky.first_bucket)),
+            first_mean: Uint(sky.map_or(0, |sky| sky.first_mean)),
+            radius: Float(stars.map_or(0.0, |stars| 0.5 * stars.size)),
+            mean: Vec3(sky.map_or(DVec3::ZERO, |sky| sky.mean)),
         }
-        row
     })
 }

@@ -45,6 +45,7 @@ impl Renderer<'_> {
             image: image.size,
             number,
             is_grid: false,
+            ends_only: false,
             refines: Some(refines),
         };
         let pixels = tile.size.map(u64::from).iter().product::<u64>();

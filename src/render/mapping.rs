@@ -115,7 +115,14 @@ impl Renderer<'_> {
                 let offset = size_of::<u32>() * value * width * height;
                 tile.write(prepared.gpu, &Role::PathEnds, offset as u64, bytemuck::cast_slice(bits));
             }
-            let sample = Sample { origin: part.origin, image, number: round.sample, is_grid: false, refines: None };
+            let sample = Sample {
+                origin: part.origin,
+                image,
+                number: round.sample,
+                is_grid: false,
+                ends_only: false,
+                refines: None,
+            };
             prepared.run_round(tile, sample, round.branch, clock)?;
         }
         Ok(())

@@ -178,9 +178,8 @@ impl Renderer<'_> {
         let count = |margin: u32| size.map(|side| u64::from(side + margin)).iter().product::<u64>();
         let all = count(features.margin().total());
         let samples = (round.begins()..round.until).map(|number| {
-            let is_grid = features.first_is_grid && number == 0;
             let separate = if self.follows_grid(round, number) { all } else { 0 };
-            separate + if is_grid { all } else { count(0) }
+            separate + if features.first_is_grid && number == 0 { all } else { count(0) }
         });
         samples.sum()
     }
@@ -215,8 +214,8 @@ impl Renderer<'_> {
         image.adaptive.map(new)
     }
 
-    /// Returns the layers of the image's first sample on one tile, for images that fit into one. Returns `None` if a path outlives the pass
-    /// that should follow all of it.
+    /// Returns the layers of single rays in the image's first sample on one tile, for images that fit into one. Returns `None` if a path
+    /// outlives the pass that should follow all of it.
     ///
     /// # Errors
     ///
@@ -229,7 +228,8 @@ impl Renderer<'_> {
         loop {
             let (mut totals, mut clock) = (Totals::default(), Clock::new(self.prepared.gpu, false));
             let tile = self.prepared.tile(size.map(|side| side + margin.total()))?;
-            self.prepared.run_sample(&tile, Sample::first(size).before(margin.before), &mut clock, &|_| {})?;
+            let sample = Sample { ends_only: true, ..Sample::first(size).before(margin.before) };
+            self.prepared.run_sample(&tile, sample, &mut clock, &|_| {})?;
             let unfinished = self.prepared.add_tally(&tile, &mut totals, rays)?;
             if unfinished && self.prepared.is_whole() {
                 return Ok(None);
@@ -278,7 +278,7 @@ impl Renderer<'_> {
         }
         let image = self.prepared.scene.image.size;
         let samples = (first..round.until).flat_map(|number| {
-            let sample = Sample { origin, image, number, is_grid: false, refines: None };
+            let sample = Sample { origin, image, number, is_grid: false, ends_only: false, refines: None };
             self.follows_grid(round, number).then(|| sample.grid()).into_iter().chain([sample])
         });
         self.prepared.run_samples(tile, samples.collect::<Vec<_>>().into_iter(), clock, progress)?;

@@ -14,6 +14,8 @@ pub(super) struct Sample {
     pub number: u32,
     /// `true` for the rays through the centers of pixels, which do not count as a sample.
     pub is_grid: bool,
+    /// `true` if only the ends of the rays are wanted, and nothing between them.
+    pub ends_only: bool,
     /// The pixels that the sample refines, in an adaptive image.
     pub refines: Option<Refines>,
 }
@@ -41,12 +43,12 @@ impl Sample {
 
     /// Returns `true` if the rays of the sample are the grid.
     pub(super) fn is_grid_of(&self, features: &Features) -> bool {
-        self.is_grid || (features.first_is_grid && self.number == 0)
+        !self.ends_only && (self.is_grid || (features.first_is_grid && self.number == 0))
     }
 
     /// Returns the first sample of every pixel, in a tile at the origin of the image.
     pub(super) fn first(image: [u32; 2]) -> Self {
-        Self { origin: [0, 0], image, number: 0, is_grid: false, refines: None }
+        Self { origin: [0, 0], image, number: 0, is_grid: false, ends_only: false, refines: None }
     }
 
     /// Returns the sample of a tile with a margin of this many pixels to the left and above.

@@ -63,7 +63,7 @@ impl Prepared<'_> {
         if !self.program.features.has_stars {
             return 0;
         }
-        let stars: u64 = self.scene.stars.iter().flatten().map(|stars| stars.catalog.stars.len() as u64).sum();
+        let stars = self.scene.stars.iter().flatten().map(|stars| stars.catalog.stars.len() as u64).max().unwrap_or(0);
         let size = self.settings.window.unwrap_or(Window::whole(self.scene.image.size)).size;
         let pixels: u64 = size.map(u64::from).iter().product();
         self.star_images.max((stars + stars / 2).min(2 * pixels) + pixels / 16)

@@ -51,7 +51,14 @@ impl Renderer<'_> {
         let Window { origin, .. } = self.window();
         let refines = self.prepared.program.features.adapts.then_some(Refines::FIRST);
         let image = self.prepared.scene.image.size.map(|side| self.small(side).max(1));
-        Sample { origin: origin.map(|side| self.small(side)), image, number: 0, is_grid: false, refines }
+        Sample {
+            origin: origin.map(|side| self.small(side)),
+            image,
+            number: 0,
+            is_grid: false,
+            ends_only: false,
+            refines,
+        }
     }
 
     /// Returns a length in the small image, in pixels.

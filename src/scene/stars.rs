@@ -25,6 +25,13 @@ pub struct Stars {
 }
 
 impl Stars {
+    /// Returns `true` if other stars have the same places in the catalog and the same light. They may be turned, and their disks may have
+    /// another size.
+    #[must_use]
+    pub fn are_those_of(&self, other: &Self) -> bool {
+        Arc::ptr_eq(&self.catalog, &other.catalog) && (self.intensity, self.limit) == (other.intensity, other.limit)
+    }
+
     /// Returns the stars that are shown.
     pub fn shown(&self) -> impl Iterator<Item = &Star> {
         self.catalog.stars.iter().filter(|star| f64::from(star.magnitude) <= self.limit)
