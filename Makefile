@@ -25,8 +25,8 @@ manual:
 # One more than there are processors: some tests wait, for a queue or for a child.
 TESTS_AT_ONCE := $(shell echo $$(($$(getconf _NPROCESSORS_ONLN) + 1)))
 
-# The last line counts the tests, whatever failed. A test that needs another program has the program's name at the end of its own, is
-# ignored by a plain `cargo test`, and is skipped here only without that program.
+# The last line counts the tests, after the messages of those that failed. A test that needs another program has the program's name at the
+# end of its own, is ignored by a plain `cargo test`, and is skipped here only without that program.
 test: device tools
 	cargo fmt --all --check
 	cargo clippy --workspace --all-targets -- -D warnings
@@ -50,6 +50,7 @@ test: device tools
 	run --test suite -- --test-threads $(TESTS_AT_ONCE) --include-ignored $$skip; \
 	for example in picture custom_law rays_to_numbers; do cargo run -q --example $$example || status=1; done; \
 	$(MAKE) --no-print-directory manual || status=1; \
+	grep -A 3 'panicked at' target/test.log || true; \
 	awk '/^test result:/ { passed += $$4; failed += $$6; skipped += $$8 + $$12 } \
 	    END { printf "%d passed, %d failed, %d skipped\n", passed, failed, skipped }' target/test.log; \
 	exit $$status

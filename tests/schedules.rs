@@ -40,7 +40,7 @@ fn rendered(scene: &Path, variant: &[&str], more: &[&str], folder: &Path) -> Vec
     command.arg("render").args(["--samples", "1"]).args(more).args(variant);
     command.arg(scene).arg("-o").arg(&picture).env("BENTRAY_CACHE", "");
     let output = command.output().unwrap();
-    assert!(output.status.success(), "{variant:?}: {}", String::from_utf8_lossy(&output.stderr));
+    assert!(output.status.success(), "{variant:?}: {} {}", output.status, String::from_utf8_lossy(&output.stderr));
     std::fs::read(picture).unwrap()
 }
 
