@@ -3,7 +3,7 @@
 
 struct GridRay {
     // The direction at infinity, or u and v on a surface.
-    place: vec3f,
+    place: Real3,
     // The kind of the end, HIT or ESCAPED; above it the side of a wormhole, the view of a stereo image, and the object or the branch of the
     // path. 0 if the ray has no such end.
     end: u32,
@@ -22,7 +22,7 @@ const END_VIEW: u32 = 3u;
 const END_OBJECT: u32 = 4u;
 // The numbers of pixels around a tile in which the grid continues. Stars need more: an image in the next pixel but one spreads into the tile,
 // and the interpolation takes one more on each side of its cell.
-const BUNDLE_MARGIN: u32 = 1u;
+const BUNDLE_MARGIN: u32 = 2u;
 const STAR_MARGIN: u32 = 3u;
 
 // Returns `true` if a pixel belongs to the tile, and not to its margin.
@@ -68,7 +68,7 @@ fn note_grid(pixel: vec2u, code: u32, seen: Seen) {
     }
     var own: GridRay;
     if code == ESCAPED || code == MISSED {
-        own.place = vec3f(normalize(seen.end.v));
+        own.place = normalize(seen.end.v);
         own.end = sky_end(pixel);
         if HAS_STARS {
             own.place = in_star_axes(own.place, side_reached());
@@ -80,7 +80,7 @@ fn note_grid(pixel: vec2u, code: u32, seen: Seen) {
     }
     if KEEPS_FOOTPRINTS {
         if code == HIT {
-            own.place = place_seen;
+            own.place = Real3(place_seen);
             own.end = surface_end(pixel, seen.object);
         }
     }

@@ -58,14 +58,19 @@ fn load_patch(pixel: vec2u) -> bool {
     var own = 0u;
     for (var k = 0u; k < 16u; k++) {
         let ray = grid_rays[patch_place_at(pixel, k)];
-        patch_ways[k] = ray.place;
+        patch_ways[k] = vec3f(ray.place);
         own |= select(0u, 1u, ray.end == end) << k;
     }
     for (var k = 0u; k < 4u; k++) {
-        patch_ways[5u + (k & 1u) + 4u * (k >> 1u)] = corner_rays[k].place;
+        patch_ways[5u + (k & 1u) + 4u * (k >> 1u)] = vec3f(corner_rays[k].place);
     }
     extend_patch(own);
-    return spread(array<vec3f, 4>(corner_rays[0].place, corner_rays[1].place, corner_rays[2].place, corner_rays[3].place)) < WIDEST_CELL;
+    return spread(cell_corners()) < WIDEST_CELL;
+}
+
+// Returns the directions at the corners of the cell.
+fn cell_corners() -> array<vec3f, 4> {
+    return array<vec3f, 4>(patch_ways[5], patch_ways[6], patch_ways[9], patch_ways[10]);
 }
 
 // Returns the largest distance of four directions.
@@ -120,7 +125,7 @@ fn images_in_cell(pixel: vec2u) -> u32 {
 }
 
 fn find_images() {
-    let whole = array<vec3f, 4>(corner_rays[0].place, corner_rays[1].place, corner_rays[2].place, corner_rays[3].place);
+    let whole = cell_corners();
     var faces = faces_of(whole, 0.0);
     var buckets = 0u;
     loop {

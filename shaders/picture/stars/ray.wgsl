@@ -22,9 +22,9 @@ var<storage, read_write> pixel_starlight: array<vec3f>;
 var<storage, read> star_skies: array<StarSky>;
 
 // Returns a direction of the scene in the axes of a catalog.
-fn in_star_axes(d: vec3f, side: u32) -> vec3f {
+fn in_star_axes(d: Real3, side: u32) -> Real3 {
     let own = star_skies[side];
-    return vec3f(dot(own.first, d), dot(own.second, d), dot(own.third, d));
+    return Real3(dot(Real3(own.first), d), dot(Real3(own.second), d), dot(Real3(own.third), d));
 }
 
 fn from_star_axes(d: vec3f, side: u32) -> vec3f {

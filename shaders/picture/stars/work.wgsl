@@ -42,10 +42,10 @@ fn is_lit(pixel: vec2u) -> bool {
         return false;
     }
     let corners = array<vec3f, 4>(
-        grid_rays[place].place,
-        grid_rays[place + 1u].place,
-        grid_rays[below].place,
-        grid_rays[below + 1u].place,
+        vec3f(grid_rays[place].place),
+        vec3f(grid_rays[place + 1u].place),
+        vec3f(grid_rays[below].place),
+        vec3f(grid_rays[below + 1u].place),
     );
     let own = star_sky(ends.x);
     let bulge = bent(pixel, 1u, corners[0], corners[1], ends.x) + bent(pixel, frame.size.x, corners[0], corners[2], ends.x);
@@ -80,8 +80,8 @@ fn bent(pixel: vec2u, stride: u32, a: vec3f, b: vec3f, end: u32) -> f32 {
     let place = place_in_tile(pixel);
     let before = grid_rays[place - stride];
     let after = grid_rays[place + 2u * stride];
-    let first = select(0.0, distance(before.place + b, 2.0 * a), before.end == end);
-    let last = select(0.0, distance(a + after.place, 2.0 * b), after.end == end);
+    let first = select(0.0, distance(vec3f(before.place) + b, 2.0 * a), before.end == end);
+    let last = select(0.0, distance(a + vec3f(after.place), 2.0 * b), after.end == end);
     // A parabola deviates from its chord by an eighth of the second difference.
     return 0.25 * min(max(first, last), WIDEST_CELL);
 }
