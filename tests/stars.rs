@@ -210,6 +210,30 @@ fn samples_do_not_change_stars() {
     }
 }
 
+/// An adaptive image has the stars of any other image, and each of its pixels takes as many samples as without stars.
+#[test]
+fn adaptive_images_show_stars() {
+    let mut plain = scene(LENS);
+    plain.objects.clear();
+    plain.image.adaptive = Some(0.02);
+    plain.image.samples = 64;
+    let stars = with_stars(plain.clone(), lattice(2000));
+    let (sky, found) = (rendered(&plain, Schedule::Whole, u64::MAX), rendered(&stars, Schedule::Whole, u64::MAX));
+    assert_eq!(sky.totals.adaptive.unwrap().capped, found.totals.adaptive.unwrap().capped);
+    let mut dark = with_stars(scene(LENS), lattice(2000));
+    dark.sky = bentray::scene::Sky::Color(DVec3::ZERO);
+    dark.objects.clear();
+    let dark = band(&dark);
+    let all = found.band.color.iter().flatten().zip(sky.band.color.iter().flatten()).zip(dark.color.iter().flatten());
+    for ((found, sky), star) in all {
+        assert!((found - sky - star).abs() <= 1e-6 * found, "{found} {sky} {star}");
+    }
+    assert!(dark.color[0].iter().filter(|star| **star > 0.0).count() > 1000);
+    for (schedule, pixels) in [(Schedule::Whole, 500), (Schedule::Segment, u64::MAX), (Schedule::Fused, 500)] {
+        assert!(rendered(&stars, schedule, pixels).band == found.band, "{schedule:?}");
+    }
+}
+
 /// Through glass, a star has an image for each path, and a mirror shows it again.
 #[test]
 fn branches_show_stars() {
@@ -245,7 +269,6 @@ fn dense_stars_are_even_light() {
 #[test]
 fn impossible_stars_are_mistakes() {
     for (text, problem) in [
-        ("[image]\nadaptive = 0.05\n", "image.adaptive"),
         (
             "rays.lighting = \"path-tracing\"\n[materials.m]\nkind = \"phong\"\n[[objects]]\nshape = \"sphere\"\nmaterial = \"m\"\n",
             "random paths never meet a point",

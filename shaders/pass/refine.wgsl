@@ -82,14 +82,21 @@ fn judged(m: Moments, n: u32) -> Moments {
     return m;
 }
 
+// Returns `true` if a pixel belongs to the tile: the last column and row exist only for their corners, and a grid has a wider margin.
+fn inside_corners(pixel: vec2u) -> bool {
+    if HAS_GRID {
+        return inside_margin(pixel);
+    }
+    return all(pixel + 1u < frame.size);
+}
+
 @compute @workgroup_size(GROUP)
 fn refine(own: Invocation) {
     let spot = round_pixel(own);
     let n = frame.sample;
     let judges = n == 0u || (n >= FIRST_SAMPLES && countOneBits(n) == 1u);
     var state = 0u;
-    // The last column and row exist only for their corners.
-    if spot.valid && all(spot.pixel + 1u < frame.size) && sample_wanted(spot.pixel) {
+    if spot.valid && inside_corners(spot.pixel) && sample_wanted(spot.pixel) {
         let i = place_in_tile(spot.pixel);
         var m: Moments;
         if n == 0u {

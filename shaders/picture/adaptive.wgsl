@@ -41,6 +41,11 @@ fn sum_begins() -> bool {
 
 // Every pixel has the ray through its corner; later samples are for pixels whose mean is not accurate enough yet.
 fn sample_wanted(pixel: vec2u) -> bool {
+    if HAS_GRID {
+        if is_grid() {
+            return true;
+        }
+    }
     return frame.sample == 0u || (moments[place_in_tile(pixel)].state & OPEN) != 0u;
 }
 

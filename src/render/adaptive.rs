@@ -7,7 +7,7 @@
 //!
 //! *Practice.* The decision about a pixel depends only on its samples and corners, so that tile borders are invisible; a tile has one extra
 //! column and row of corners. Pixels that need more samples are listed on the device; the host reads their number after each doubling. The
-//! memory is 36 bytes per pixel, and 8 for the lists.
+//! memory is 36 bytes per pixel, and 8 for the lists. Stars have no error to estimate, and are added at the end.
 
 use super::clock::Clock;
 use super::noise::LUMINANCE;
@@ -71,6 +71,9 @@ impl Renderer<'_> {
                 open = self.read_refined(tile, sums)?;
                 list += 1;
             }
+        }
+        if self.prepared.program.features.has_grid {
+            self.prepared.run_sample(tile, at(0, Refines::FIRST).grid(), clock, &|_| {})?;
         }
         Ok(())
     }

@@ -113,7 +113,7 @@ impl<'r, 'a> Runner<'r, 'a> {
                 break;
             }
         }
-        if let Some(refines) = sample.refines {
+        if let Some(refines) = sample.refines.filter(|_| !sample.is_grid) {
             self.begin_round(sample, 0, clock)?;
             self.push(0, Step::refining(refines, prepared.settings.options.masks));
         }

@@ -23,16 +23,16 @@ fn is_grid() -> bool {
 }
 
 fn sample_point(pixel: vec2u) -> vec2f {
-    if ADAPTS {
-        if frame.sample == 0u {
-            return vec2f(pixel);
-        }
-        return nth_point(pixel, frame.sample - 1u);
-    }
     if HAS_GRID {
         if is_grid() {
             return center_of(pixel);
         }
+    }
+    if ADAPTS {
+        if frame.sample == 0u {
+            return vec2f(vec2i(pixel));
+        }
+        return nth_point(pixel, frame.sample - 1u);
     }
     if FIRST_IS_GRID {
         // The pattern continues on the opposite side of the pixel.

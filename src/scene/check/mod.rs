@@ -226,7 +226,7 @@ pub(super) fn scene(reader: &Reader, files: &mut Files) -> Option<Scene> {
     let rest =
         shift::Rest { law: law_now, materials: &materials, absorption: absorption_now, paths: paths.is_some(), reach };
     shift::check(&root, camera.as_ref(), &rest);
-    let sight = stars::Sight { law: law_now, camera: camera.as_ref(), image: &image, rays: rays.as_ref() };
+    let sight = stars::Sight { law: law_now, camera: camera.as_ref(), rays: rays.as_ref() };
     stars::check(&root, &stars, &sight, radiation.is_some());
     travel::check(&root, camera.as_ref(), bound, chords, &optics);
     let animation = animation::read(&root).map(|read| Animation {

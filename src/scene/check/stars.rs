@@ -7,7 +7,7 @@ use crate::document::reader::TableReader;
 use crate::document::values::{not_negative, number, number_where};
 use crate::document::{Node, Value};
 use crate::model::{Camera, Law};
-use crate::scene::{Image, Precision, Rays, Stars};
+use crate::scene::{Precision, Rays, Stars};
 
 /// The diameter of a star's disk, in degrees.
 const USUAL_SIZE: f64 = 2e-4;
@@ -43,7 +43,6 @@ fn stars(
 pub(super) struct Sight<'r> {
     pub law: Option<&'r dyn Law>,
     pub camera: Option<&'r Camera>,
-    pub image: &'r Image,
     pub rays: Option<&'r Rays>,
 }
 
@@ -53,9 +52,6 @@ pub(super) fn check(root: &TableReader, stars: &[Option<Stars>; 2], sight: &Sigh
         return;
     }
     let fault = |problem: &str, help: &str| root.fault_within("sky", "stars", problem.to_owned(), help.to_owned());
-    if sight.image.adaptive.is_some() {
-        fault("`stars` cannot be combined with image.adaptive", "use image.samples");
-    }
     if has_radiation {
         fault("`stars` have colors, and [radiation] has frequencies", "remove [radiation] or `stars`");
     }
