@@ -26,6 +26,18 @@ fn parts_state_their_contract() {
     }
 }
 
+/// A branch on a uniform makes lavapipe compile the pass again for every dispatch, and keep each of them in memory. What depends on the
+/// sample, which each dispatch changes, branches on `sample_of(pixel)`.
+#[test]
+fn no_branch_depends_on_the_sample_as_a_uniform() {
+    for part in all_parts() {
+        for line in part.text.lines().filter(|line| line.contains("frame.sample")) {
+            let branches = ["if ", "while ", "for ", "&&", "||"].iter().any(|word| line.contains(word));
+            assert!(!branches, "{}: {line}", part.file);
+        }
+    }
+}
+
 /// Returns the rows with `N` columns in the tables of `shaders/README.md`, without their headings.
 fn rows<const N: usize>() -> Vec<[String; N]> {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("shaders/README.md");

@@ -11,7 +11,7 @@ fn gather_stars(own: Invocation) {
             moments[place].color += light;
         }
         if FIRST_IS_GRID {
-            pixel_color[place] += select(light, vec3f(0.0), frame.sample == CENTERS);
+            pixel_color[place] += select(light, vec3f(0.0), is_apart(spot.pixel));
         }
         if ADDS_STARLIGHT {
             pixel_starlight[place] = light + select(pixel_starlight[place], vec3f(0.0), frame.branch == 0u);

@@ -16,7 +16,7 @@ fn measure_bundles(own: Invocation) {
             }
         }
         if DEFERS_SKY {
-            if frame.sample != CENTERS {
+            if !is_apart(spot.pixel) {
                 add_sky(spot.pixel, measured);
             }
         }

@@ -93,7 +93,7 @@ fn inside_corners(pixel: vec2u) -> bool {
 @compute @workgroup_size(GROUP)
 fn refine(own: Invocation) {
     let spot = round_pixel(own);
-    let n = frame.sample;
+    let n = sample_of(spot.pixel);
     let judges = n == 0u || (n >= FIRST_SAMPLES && countOneBits(n) == 1u);
     var state = 0u;
     if spot.valid && inside_corners(spot.pixel) && sample_wanted(spot.pixel) {

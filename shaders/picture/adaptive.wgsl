@@ -42,18 +42,18 @@ fn sum_begins() -> bool {
 // Every pixel has the ray through its corner; later samples are for pixels whose mean is not accurate enough yet.
 fn sample_wanted(pixel: vec2u) -> bool {
     if HAS_GRID {
-        if is_grid() {
+        if is_grid(pixel) {
             return true;
         }
     }
-    return frame.sample == 0u || (moments[place_in_tile(pixel)].state & OPEN) != 0u;
+    return sample_of(pixel) == 0u || (moments[place_in_tile(pixel)].state & OPEN) != 0u;
 }
 
 // The end of the ray through each pixel's top left corner, and its object: this distinguishes an edge from a gradient.
 var<storage, read_write> pixel_corner_end: array<u32>;
 
 fn keep_corner(pixel: vec2u, ray: Ray, seen: Seen) {
-    if frame.sample + frame.branch == 0u {
+    if sample_of(pixel) + frame.branch == 0u {
         let code = select(ray.status, ESCAPED, ray.status == MISSED);
         pixel_corner_end[place_in_tile(pixel)] = code | (seen.object << 4u);
     }

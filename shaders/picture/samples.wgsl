@@ -10,5 +10,5 @@ fn sample_wanted(pixel: vec2u) -> bool {
     if !HAS_GRID {
         return true;
     }
-    return is_grid() || inside_margin(pixel);
+    return is_grid(pixel) | inside_margin(pixel);
 }

@@ -26,7 +26,7 @@ fn shade_ray(pixel: vec2u, ray: Ray, end: Hit) {
         }
     }
     if KEEPS_ENDS {
-        if frame.sample != CENTERS {
+        if !is_apart(pixel) {
             store_end(pixel, ray.status, end.primitive, seen.end);
         }
     }
@@ -43,7 +43,7 @@ fn shade_ray(pixel: vec2u, ray: Ray, end: Hit) {
     }
     if HAS_GRID {
         note_grid(pixel, code, seen);
-        if frame.sample == CENTERS {
+        if is_apart(pixel) {
             return;
         }
     }
@@ -61,7 +61,7 @@ fn shade_ray(pixel: vec2u, ray: Ray, end: Hit) {
     var color = light;
     if ADDS_STARLIGHT {
         // Once for each sample of the pixel.
-        color += select(vec3f(0.0), pixel_starlight[place_in_tile(pixel)], !is_grid() && frame.branch == 0u);
+        color += select(vec3f(0.0), pixel_starlight[place_in_tile(pixel)], !is_grid(pixel) & (frame.branch == 0u));
     }
     add_color(pixel, color);
     if KEEPS_ORDERS {
@@ -85,7 +85,7 @@ fn shade_ray(pixel: vec2u, ray: Ray, end: Hit) {
 // Returns the light of the sky in a direction, as the observer sees it; 0 on the grid if it is added later.
 fn sky_seen(pixel: vec2u, d: vec3f) -> vec3f {
     if DEFERS_SKY {
-        if is_grid() {
+        if is_grid(pixel) {
             return vec3f(0.0);
         }
     }

@@ -15,7 +15,7 @@ var<storage, read_write> pixel_crossed: array<u32>;
 
 // x is where the path starts, at a distance from the start of the ray if that is outside of the bounding sphere.
 fn begin_crossings(pixel: vec2u, x: Real3, away: Real) {
-    if frame.sample + frame.branch == 0u {
+    if sample_of(pixel) + frame.branch == 0u {
         let place = place_in_tile(pixel);
         pixel_crossed[place] = 0u;
         pixel_crossings[place][0] = Real4(x, away);
@@ -25,7 +25,7 @@ fn begin_crossings(pixel: vec2u, x: Real3, away: Real) {
 fn add_crossing(pixel: vec2u, surface: Surface, end: PathPoint) {
     let place = place_in_tile(pixel);
     let count = pixel_crossed[place];
-    if frame.sample + frame.branch != 0u || count >= CROSSINGS_KEPT {
+    if sample_of(pixel) + frame.branch != 0u || count >= CROSSINGS_KEPT {
         return;
     }
     var along = end.v;

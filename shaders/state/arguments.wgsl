@@ -20,6 +20,12 @@ struct Frame {
 
 var<uniform> frame: Frame;
 
+// Returns the number of the sample that a pixel takes, for branches. If a branch depends on uniforms alone, lavapipe compiles the pass
+// again for every dispatch; with the coordinates of the pixel in it, the number is not uniform.
+fn sample_of(pixel: vec2u) -> u32 {
+    return frame.sample ^ ((pixel.x ^ pixel.y) & frame.zero);
+}
+
 // Returns the index of a pixel in lists over the tile.
 fn place_in_tile(pixel: vec2u) -> u32 {
     return pixel.y * frame.size.x + pixel.x;

@@ -11,25 +11,30 @@ struct SampleShare {
 
 var<uniform> sample_share: SampleShare;
 
-// Returns `true` if the rays of the sample are the grid.
-fn is_grid() -> bool {
+// Returns `true` if the ray of the pixel belongs to the grid.
+fn is_grid(pixel: vec2u) -> bool {
     if SAMPLE_IS_GRID {
         return true;
     }
     if FIRST_IS_GRID {
-        return frame.sample == CENTERS || frame.sample == 0u;
+        return is_apart(pixel) | (sample_of(pixel) == 0u);
     }
-    return frame.sample == CENTERS;
+    return is_apart(pixel);
+}
+
+// Returns `true` if it belongs to a grid that is not a sample.
+fn is_apart(pixel: vec2u) -> bool {
+    return sample_of(pixel) == CENTERS;
 }
 
 fn sample_point(pixel: vec2u) -> vec2f {
     if HAS_GRID {
-        if is_grid() {
+        if is_grid(pixel) {
             return center_of(pixel);
         }
     }
     if ADAPTS {
-        if frame.sample == 0u {
+        if sample_of(pixel) == 0u {
             return vec2f(vec2i(pixel));
         }
         return nth_point(pixel, frame.sample - 1u);

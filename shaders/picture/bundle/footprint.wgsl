@@ -23,7 +23,7 @@ fn note_bundle(pixel: vec2u) {
     own_bundle = Bundle();
     footprint = array<vec3f, 2>();
     if READS_BUNDLES {
-        if !is_grid() && frame.branch == 0u {
+        if !is_grid(pixel) && frame.branch == 0u {
             own_bundle = pixel_bundle(pixel);
         }
     }

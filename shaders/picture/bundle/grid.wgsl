@@ -31,7 +31,7 @@ fn inside_margin(pixel: vec2u) -> bool {
     if HAS_STARS {
         margin = STAR_MARGIN;
     }
-    return all(pixel >= vec2u(margin)) && all(pixel + margin < frame.size);
+    return all(pixel >= vec2u(margin)) & all(pixel + margin < frame.size);
 }
 
 // Returns the index of the sky that a ray has reached.
@@ -63,7 +63,7 @@ fn sky_end(pixel: vec2u) -> u32 {
 
 // Stores the end of a ray if it belongs to the grid. code: the status of the ray.
 fn note_grid(pixel: vec2u, code: u32, seen: Seen) {
-    if !is_grid() {
+    if !is_grid(pixel) {
         return;
     }
     var own: GridRay;

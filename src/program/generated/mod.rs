@@ -185,7 +185,7 @@ pub(super) fn layers(names: &[&str]) -> Unit {
     if !names.is_empty() {
         let kept =
             names.iter().map(|name| format!("        keep_{name}(pixel, ray, seen);\n")).collect::<Vec<_>>().concat();
-        let _ = writeln!(text, "    if frame.sample + frame.branch == 0u {{\n{kept}    }}");
+        let _ = writeln!(text, "    if sample_of(pixel) + frame.branch == 0u {{\n{kept}    }}");
     }
     text += "}\n";
     unit("generated/layers.wgsl", text)
