@@ -179,7 +179,7 @@ impl Renderer<'_> {
         let all = count(features.margin().total());
         let samples = (round.begins()..round.until).map(|number| {
             let separate = if self.follows_grid(round, number) { all } else { 0 };
-            separate + if features.first_is_grid && number == 0 { all } else { count(0) }
+            separate + if features.samples_grid(number) { all } else { count(0) }
         });
         samples.sum()
     }
@@ -189,8 +189,7 @@ impl Renderer<'_> {
     fn follows_grid(&self, round: &Round, number: u32) -> bool {
         let features = &self.prepared.program.features;
         let changes = features.has_stars && self.prepared.moments.len() > 1;
-        let is_grid = features.first_is_grid && number == 0;
-        features.has_grid && !is_grid && (changes || number == round.begins())
+        features.has_grid && !features.samples_grid(number) && (changes || number == round.begins())
     }
 
     /// Renders the whole image into memory. [`Renderer::new`] has an example; [`render_bands`](Self::render_bands) needs less memory.

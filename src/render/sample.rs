@@ -43,7 +43,7 @@ impl Sample {
 
     /// Returns `true` if the rays of the sample are the grid.
     pub(super) fn is_grid_of(&self, features: &Features) -> bool {
-        !self.ends_only && (self.is_grid || (features.first_is_grid && self.number == 0))
+        !self.ends_only && (self.is_grid || features.samples_grid(self.number))
     }
 
     /// Returns the first sample of every pixel, in a tile at the origin of the image.

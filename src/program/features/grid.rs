@@ -65,6 +65,12 @@ impl Features {
         self.keeps_footprints && self.has_grid && !self.sample_is_grid
     }
 
+    /// Returns `true` if the rays of the sample with this number are the grid.
+    #[must_use]
+    pub fn samples_grid(&self, number: u32) -> bool {
+        self.first_is_grid && number == 0
+    }
+
     /// Returns `true` if layers describe the bundles of light of pixels.
     #[must_use]
     pub fn describes_bundles(&self) -> bool {
