@@ -11,10 +11,11 @@ mod grid;
 mod mesh;
 mod picture;
 mod profile;
+mod star_table;
 mod transform;
 mod winding;
 
-pub use catalog::{Catalog, Star};
+pub use catalog::Catalog;
 pub use expression::{
     Coefficients, Curve, Emissivity, FanRay, Field, Formula, FormulaError, Function, Graph, Id, Interval, LineElement,
     MOST_GRIDS, Node, Spacetime, Spot, Variable, VolumeField, VolumeFormulas, VolumeTexts,
@@ -26,4 +27,5 @@ pub use mesh::{Capacity, Held, Mesh, MeshPart, MeshRequest, MeshSource, Vertex};
 pub use picture::Picture;
 pub(crate) use picture::unlikely_exr;
 pub use profile::{Profile, ProfileError, ProfilePoint};
+pub use star_table::Star;
 pub use transform::Transform;

@@ -1,5 +1,6 @@
 //! Stores the values of a scene on the device: a buffer or texture for every binding that is the same for all tiles.
 
+use std::borrow::Cow;
 use std::collections::{BTreeMap, HashMap, HashSet};
 use std::hash::Hasher;
 use std::sync::Arc;
@@ -10,7 +11,7 @@ use wgpu::{Buffer, BufferUsages, Texture};
 
 use super::records::pack;
 use super::source::Uploads;
-use super::star_buckets::StarSkies;
+use super::star_buckets::{StarLists, StarSkies};
 use super::textures::upload_picture;
 use super::uniforms::schedule_values;
 use super::{Geometry, Gpu, GpuError, LightGridData};
@@ -49,7 +50,7 @@ impl SceneBuffers {
     ) -> Result<Self, GpuError> {
         let same_stars = before.filter(|before| program.features.has_stars && before.stars.is_of(scene));
         let (star_skies, stars) = match same_stars {
-            Some(before) => (before.stars.clone(), Vec::new()),
+            Some(before) => (before.stars.clone(), StarLists::default()),
             None if program.features.has_stars => StarSkies::sorted(scene),
             None => Default::default(),
         };
@@ -158,7 +159,10 @@ fn upload(gpu: &Gpu, binding: &Binding, bytes: &[u8]) -> Result<Buffer, GpuError
 
 impl Uploads<'_> {
     /// Returns the bytes of one of the scene's buffers.
-    fn bytes(&self, binding: &Binding) -> Result<Vec<u8>, GpuError> {
+    fn bytes(&self, binding: &Binding) -> Result<Cow<'_, [u8]>, GpuError> {
+        if let Some(list) = self.star_list(&binding.name) {
+            return Ok(Cow::Borrowed(list));
+        }
         match (&binding.kind, &binding.role) {
             (BindingKind::Block { members, span }, _) => {
                 let mut bytes = vec![0; *span as usize];
@@ -166,10 +170,10 @@ impl Uploads<'_> {
                     let part = self.values(value, layout)?.ok_or_else(|| no_value(name))?;
                     bytes[*offset as usize..*offset as usize + part.len()].copy_from_slice(&part);
                 }
-                Ok(bytes)
+                Ok(Cow::Owned(bytes))
             }
             (BindingKind::Uniform(layout) | BindingKind::Storage { layout, .. }, Role::Scene(value)) => {
-                self.values(value, layout)?.ok_or_else(|| no_value(&binding.name))
+                self.values(value, layout)?.map(Cow::Owned).ok_or_else(|| no_value(&binding.name))
             }
             _ => Err(no_value(&binding.name)),
         }

@@ -172,7 +172,7 @@ impl Uploads<'_> {
                 let values = self.fields.iter().flat_map(|field| &field.field);
                 Ok(Some(values.flat_map(|value| bytemuck::cast::<_, [u8; 16]>(value.to_array())).collect()))
             }
-            "star_skies" | "star_list" | "star_buckets" => self.stars(name, layout),
+            "star_skies" => self.star_skies(layout),
             _ => self.lights(name, layout),
         }
     }

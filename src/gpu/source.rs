@@ -1,6 +1,6 @@
 //! Collects the inputs for the values of a scene's bindings.
 
-use super::star_buckets::{SortedStars, StarSkies};
+use super::star_buckets::{StarLists, StarSkies};
 use super::{Geometry, LightGridData};
 use crate::model::Binding;
 use crate::program::Program;
@@ -18,7 +18,7 @@ pub(super) struct Uploads<'a> {
     /// The stars of both skies.
     pub(super) star_skies: StarSkies,
     /// The lists of these stars, unless they are on the device already.
-    pub(super) stars: Vec<SortedStars>,
+    pub(super) stars: StarLists,
     /// The bindings of the scene's kinds.
     pub(super) kinds: Vec<Binding>,
 }

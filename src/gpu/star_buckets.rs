@@ -1,5 +1,7 @@
 //! Sorts the stars of a scene's skies into the buckets of `shaders/picture/stars/buckets.wgsl`.
 
+use std::cmp::Ordering;
+
 use glam::{DVec2, DVec3};
 use rayon::prelude::*;
 
@@ -47,86 +49,90 @@ impl StarSkies {
     }
 
     /// Sorts the stars of a scene. Both sides of a wormhole may have the same stars.
-    pub(super) fn sorted(scene: &Scene) -> (Self, Vec<SortedStars>) {
+    pub(super) fn sorted(scene: &Scene) -> (Self, StarLists) {
         let [near, beyond] = &scene.stars;
-        let mut lists = Vec::new();
-        let mut sorted = |stars: &Stars| {
-            lists.push(SortedStars::of(stars, lists.last()));
-            lists.last().map(SortedStars::sky)
-        };
-        let first = near.as_ref().and_then(&mut sorted);
-        let second = beyond.as_ref().and_then(|stars| match near {
-            Some(near) if near.are_those_of(stars) => first,
-            _ => sorted(stars),
+        let mut lists = StarLists::default();
+        let first = near.as_ref().map(|stars| lists.add(stars));
+        let second = beyond.as_ref().map(|stars| {
+            match first.filter(|_| near.as_ref().is_some_and(|near| near.are_those_of(stars))) {
+                Some(first) => first,
+                None => lists.add(stars),
+            }
         });
         (Self { of: scene.stars.clone(), skies: [first, second] }, lists)
     }
 }
 
-/// The stars of one sky, in buckets.
-pub(super) struct SortedStars {
-    /// The place of the first star among the stars and means of all skies, and the first bucket.
-    first: usize,
-    first_bucket: u32,
-    /// The number of buckets along the edge of a face.
-    buckets: u32,
-    /// The bucket, place, flux and temperature of each star, sorted.
-    pub(super) stars: Vec<(u32, DVec2, f64, f32)>,
-    /// The light of all stars in each bucket of each coarser level.
-    pub(super) means: Vec<DVec3>,
+/// The lists of the stars of all skies, as the device reads them.
+#[derive(Debug, Default)]
+pub(super) struct StarLists {
+    /// The place, flux and temperature of each star of a sky, sorted by buckets; then the color of all light in each bucket of each coarser
+    /// level.
+    pub(super) rows: Vec<[f32; 4]>,
+    /// For each sky the first star of each bucket, and the end of the last one.
+    pub(super) buckets: Vec<u32>,
 }
 
-impl SortedStars {
-    /// Sorts stars that follow those of another sky, if any.
-    fn of(stars: &Stars, before: Option<&Self>) -> Self {
-        let shown: Vec<&Star> = stars.shown().collect();
-        let buckets = buckets_along_face(shown.len());
-        let place = |star: &Star| {
-            let flux = stars.flux(star);
+impl StarLists {
+    /// Appends the stars of a sky.
+    fn add(&mut self, stars: &Stars) -> StarSky {
+        let all = &stars.catalog.stars;
+        let is_shown = |star: &&Star| stars.shows(star);
+        let count = all.par_iter().filter(is_shown).count();
+        let along_face = buckets_along_face(count);
+        let placed = |star: &Star| {
             let (face, place) = on_face(star.direction);
-            let [column, row] = place.to_array().map(|at| bucket(at, buckets));
-            ((face * buckets + row) * buckets + column, place, flux, star.kelvins)
+            let [column, row] = place.to_array().map(|at| bucket(at, along_face));
+            let star = [place.x as f32, place.y as f32, stars.flux(star) as f32, star.kelvins];
+            ((face * along_face + row) * along_face + column, star)
         };
-        let mut sorted: Vec<_> = shown.into_par_iter().map(place).collect();
-        sorted.par_sort_unstable_by_key(|star| star.0);
+        let placed: Vec<(u32, [f32; 4])> = all.par_iter().filter(is_shown).map(placed).collect();
+        let first = self.rows.len();
+        let starts = self.sort(&placed, 6 * along_face * along_face);
+        let means = means(along_face, &starts, &self.rows);
+        let mean = means[means.len() - 6..].iter().copied().sum::<DVec3>() / (4.0 * std::f64::consts::PI);
+        let sky = StarSky {
+            buckets: along_face,
+            first_bucket: self.buckets.len() as u32,
+            first_mean: (first + count) as u32,
+            mean,
+        };
+        self.rows.extend(means.iter().map(|light| light.extend(0.0).as_vec4().to_array()));
+        self.buckets.extend(starts);
+        sky
+    }
+
+    /// Appends stars in the order of their buckets, and returns where each bucket starts, and the end of the last one.
+    fn sort(&mut self, placed: &[(u32, [f32; 4])], count: u32) -> Vec<u32> {
+        let first = self.rows.len();
+        // Two further: the start of a bucket is also the place of its next star while the stars are put there.
+        let mut starts = vec![0; count as usize + 2];
+        starts[0] = first as u32;
+        for (bucket, _) in placed {
+            starts[*bucket as usize + 2] += 1;
+        }
+        for i in 1..starts.len() {
+            starts[i] += starts[i - 1];
+        }
+        self.rows.resize(first + placed.len(), [0.0; 4]);
+        for (bucket, star) in placed {
+            let next = &mut starts[*bucket as usize + 1];
+            self.rows[*next as usize] = *star;
+            *next += 1;
+        }
+        starts.pop();
         // Catalogs in another order give the same list.
-        sorted.chunk_by_mut(|a, b| a.0 == b.0).for_each(|bucket| {
-            bucket.sort_unstable_by(|a, b| {
-                let key = |star: &(u32, DVec2, f64, f32)| (star.1.y, star.1.x, star.2, star.3);
-                key(a).partial_cmp(&key(b)).unwrap_or(std::cmp::Ordering::Equal)
-            });
-        });
-        let means = means(buckets, &sorted);
-        let first = before.map_or(0, |own| own.first + own.stars.len() + own.means.len());
-        let first_bucket = before.map_or(0, |own| own.first_bucket + own.bucket_count() + 1);
-        Self { first, first_bucket, buckets, stars: sorted, means }
-    }
-
-    fn bucket_count(&self) -> u32 {
-        6 * self.buckets * self.buckets
-    }
-
-    /// Returns the first star of each bucket, and the end of the last one.
-    pub(super) fn starts(&self) -> Vec<u32> {
-        let mut at = 0;
-        let start = |bucket| {
-            while self.stars.get(at).is_some_and(|star| star.0 < bucket) {
-                at += 1;
-            }
-            (self.first + at) as u32
-        };
-        (0..=self.bucket_count()).map(start).collect()
-    }
-
-    fn sky(&self) -> StarSky {
-        let mean = self.means[self.means.len() - 6..].iter().copied().sum::<DVec3>() / (4.0 * std::f64::consts::PI);
-        let first_mean = (self.first + self.stars.len()) as u32;
-        StarSky { buckets: self.buckets, first_bucket: self.first_bucket, first_mean, mean }
+        for range in starts.windows(2).filter(|range| range[1] - range[0] > 1) {
+            let key = |star: &[f32; 4]| [star[1], star[0], star[2], star[3]];
+            let order = |a: &[f32; 4], b: &[f32; 4]| key(a).partial_cmp(&key(b)).unwrap_or(Ordering::Equal);
+            self.rows[range[0] as usize..range[1] as usize].sort_unstable_by(order);
+        }
+        starts
     }
 }
 
-/// Returns the light of all stars in each bucket of each coarser level.
-fn means(buckets: u32, stars: &[(u32, DVec2, f64, f32)]) -> Vec<DVec3> {
+/// Returns the light of all stars in each bucket of each coarser level. starts: as in [`StarLists::buckets`].
+fn means(buckets: u32, starts: &[u32], rows: &[[f32; 4]]) -> Vec<DVec3> {
     let mut colors: Vec<Option<DVec3>> = Vec::new();
     let mut color = |kelvins: f32| {
         if kelvins <= 0.0 {
@@ -136,12 +142,15 @@ fn means(buckets: u32, stars: &[(u32, DVec2, f64, f32)]) -> Vec<DVec3> {
         colors.resize(colors.len().max(step + 1), None);
         *colors[step].get_or_insert_with(|| black_body::color(SAME_COLOR.powf(step as f64)).0)
     };
-    let mut size = (buckets / constant("picture/stars/buckets", "FINEST_MEAN") as u32).max(1);
+    let mut size = (buckets / finest_mean()).max(1);
     let mut level = vec![DVec3::ZERO; 6 * (size * size) as usize];
     let factor = buckets / size;
-    for (bucket, _, flux, kelvins) in stars {
-        let (face, row, column) = split(*bucket, buckets);
-        level[((face * size + row / factor) * size + column / factor) as usize] += *flux * color(*kelvins);
+    for (bucket, range) in (0..).zip(starts.windows(2)).filter(|(_, range)| range[0] < range[1]) {
+        let (face, row, column) = split(bucket, buckets);
+        for [_, _, flux, kelvins] in &rows[range[0] as usize..range[1] as usize] {
+            let light = f64::from(*flux) * color(*kelvins);
+            level[((face * size + row / factor) * size + column / factor) as usize] += light;
+        }
     }
     let mut all = level.clone();
     while size > 1 {
@@ -160,6 +169,24 @@ fn means(buckets: u32, stars: &[(u32, DVec2, f64, f32)]) -> Vec<DVec3> {
 /// Returns the face, row and column of a bucket.
 fn split(bucket: u32, buckets: u32) -> (u32, u32, u32) {
     (bucket / (buckets * buckets), bucket / buckets % buckets, bucket % buckets)
+}
+
+/// Returns the size of the lists of a sky with this number of stars, in bytes.
+#[must_use]
+pub fn star_bytes(stars: usize) -> u64 {
+    let buckets = u64::from(buckets_along_face(stars));
+    let mut size = (buckets / u64::from(finest_mean())).max(1);
+    let mut means = 6 * size * size;
+    while size > 1 {
+        size /= 2;
+        means += 6 * size * size;
+    }
+    16 * (stars as u64 + means) + 4 * (6 * buckets * buckets + 1)
+}
+
+/// Returns the ratio of the widths of the finest means and of buckets.
+fn finest_mean() -> u32 {
+    constant("picture/stars/buckets", "FINEST_MEAN") as u32
 }
 
 /// Returns the number of buckets along the edge of a face, a power of two near ¾ of the square root of the number of stars, so that few

@@ -1,41 +1,29 @@
 //! Packs the lists of stars.
 
-use glam::{DMat3, DVec2, DVec3};
-use rayon::prelude::*;
+use glam::{DMat3, DVec3};
 
 use super::GpuError;
 use super::records::pack;
 use super::source::Uploads;
-use super::star_buckets::{SortedStars, StarSky};
+use super::star_buckets::StarSky;
 use crate::model::{Row, row};
 use crate::program::Layout;
 use crate::scene::Stars;
 
 impl Uploads<'_> {
-    /// Packs one of the lists of stars.
-    pub(super) fn stars(&self, name: &str, layout: &Layout) -> Result<Option<Vec<u8>>, GpuError> {
+    /// Packs the records of the skies.
+    pub(super) fn star_skies(&self, layout: &Layout) -> Result<Option<Vec<u8>>, GpuError> {
+        pack("star_skies", layout, rows(self.star_skies.of(self.scene))).map(Some)
+    }
+
+    /// Returns one of the long lists of stars, which are not copied again.
+    pub(super) fn star_list(&self, name: &str) -> Option<&[u8]> {
         match name {
-            "star_skies" => pack(name, layout, rows(self.star_skies.of(self.scene))).map(Some),
-            "star_list" => Ok(Some(list(&self.stars))),
-            "star_buckets" => {
-                let starts: Vec<u32> = self.stars.iter().flat_map(SortedStars::starts).collect();
-                Ok(Some(bytemuck::cast_slice(&starts).to_vec()))
-            }
-            _ => Ok(None),
+            "star_list" => Some(bytemuck::cast_slice(&self.stars.rows)),
+            "star_buckets" => Some(bytemuck::cast_slice(&self.stars.buckets)),
+            _ => None,
         }
     }
-}
-
-/// Returns the stars and means of each sky as the device reads them: a place, a flux and a temperature, or a color.
-fn list(skies: &[SortedStars]) -> Vec<u8> {
-    let star =
-        |(_, place, flux, kelvins): &(u32, DVec2, f64, f32)| [place.x as f32, place.y as f32, *flux as f32, *kelvins];
-    let mean = |light: &DVec3| light.extend(0.0).as_vec4().to_array();
-    let rows = |own: &SortedStars| -> Vec<[f32; 4]> {
-        own.stars.par_iter().map(star).chain(own.means.par_iter().map(mean)).collect()
-    };
-    let all: Vec<_> = skies.iter().flat_map(rows).collect();
-    bytemuck::cast_slice(&all).to_vec()
 }
 
 /// Returns the records of both skies; a sky without stars has no buckets.

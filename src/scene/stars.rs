@@ -32,9 +32,15 @@ impl Stars {
         Arc::ptr_eq(&self.catalog, &other.catalog) && (self.intensity, self.limit) == (other.intensity, other.limit)
     }
 
+    /// Returns `true` if a star is not too faint to be shown.
+    #[must_use]
+    pub fn shows(&self, star: &Star) -> bool {
+        f64::from(star.magnitude) <= self.limit
+    }
+
     /// Returns the stars that are shown.
     pub fn shown(&self) -> impl Iterator<Item = &Star> {
-        self.catalog.stars.iter().filter(|star| f64::from(star.magnitude) <= self.limit)
+        self.catalog.stars.iter().filter(|star| self.shows(star))
     }
 
     /// Returns the light of a star in the scene.
