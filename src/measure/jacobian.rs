@@ -6,8 +6,8 @@
 //! source is the ratio of the solid angles at the start and at the end, 1/det, and its sign is the parity of the image.
 //!
 //! *Practice.* Derivatives are four-point differences between rays. First, two very close pairs of neighbors determine how fast the end
-//! changes; then the distance of the others is chosen so that their ends are a fixed small distance apart, because strong lenses magnify
-//! every difference. The axes are a₁ ∝ z × d and a₂ = d × a₁, with x instead of z along z, and likewise at the end.
+//! changes; then the distance of the others is chosen so that their ends are a small distance apart, because strong lenses magnify every
+//! difference, and the rounding error of their starts too. The axes are a₁ ∝ z × d and a₂ = d × a₁, with x instead of z along z, and likewise at the end.
 
 use glam::{DMat2, DVec2, DVec3, DVec4};
 
@@ -63,12 +63,15 @@ pub fn jacobians(
         Ok(chosen().map(of).collect())
     };
     let rough = differences(&vec![Some(close); rays.len()], &[1.0])?;
-    let offsets: Vec<Option<f64>> = rough
-        .iter()
-        .map(|one| {
-            Some(apart / one.as_ref()?.direction.to_cols_array().into_iter().fold(1.0, |a: f64, b| a.max(b.abs())))
-        })
-        .collect();
+    let missing: Vec<Option<f64>> = rough.iter().map(|one| one.is_none().then_some(0.01 * close)).collect();
+    let closer = differences(&missing, &[1.0])?;
+    // The error of the starts, ε D/h, and that of the differences, h⁴, are balanced by h ∝ D^(1/5) for ends that are h apart.
+    let offset = |one: &Jacobian| {
+        let steepest = one.direction.to_cols_array().into_iter().fold(1.0, |a: f64, b| a.max(b.abs()));
+        apart * steepest.powf(-0.8)
+    };
+    let offsets: Vec<Option<f64>> =
+        rough.iter().zip(&closer).map(|(rough, closer)| rough.as_ref().or(closer.as_ref()).map(offset)).collect();
     let fine = differences(&offsets, &[1.0, 2.0])?;
     let found = fine.into_iter().zip(rough).map(|(fine, rough)| fine.or(rough));
     Ok((ends.into_iter().zip(found).collect(), totals))
