@@ -1,5 +1,6 @@
 //! `bentray check`: validates scenes, and prints what will be compiled.
 
+mod catalogs;
 mod mistakes;
 mod modelled;
 

@@ -45,6 +45,7 @@ pub use limits::{check_meshes, mesh_capacity};
 pub use pipeline::Pipelines;
 pub use records::pack;
 pub use slots::{FRAMES, List, PixelListKind, SECTION, Sections, Selection, Slots, WORK_HEAD};
+pub use star_buckets::star_bytes;
 pub use structure::{AccelStructure, Grid};
 pub use textures::halved_pictures;
 pub use tile::{Memory, Tile, memory};

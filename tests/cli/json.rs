@@ -259,7 +259,7 @@ fn every_key_is_in_the_guide_and_no_other() {
     for line in [
         "devices",
         "check --reference",
-        "check scene.toml grid.toml typo.toml",
+        "check scene.toml grid.toml stars.toml typo.toml",
         "check scene.toml --set units.length=1km --set units.distance=1kpc",
         "render grid.toml -o a.png --set image.adaptive=0.05 --samples 16",
         "render scene.toml -o a.png --set rays.lighting=path-tracing --set output.clamp=1 --samples 2",

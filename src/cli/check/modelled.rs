@@ -4,6 +4,7 @@ use std::path::Path;
 
 use serde_json::{Value, json};
 
+use super::catalogs::Catalog;
 use crate::cli::format::{CommandResult, counted, shown};
 use crate::cli::render::followed;
 use crate::gpu::{AccelStructure, Geometry, Grid, LightVolume, Memory, adapters, halved_pictures, light_bytes};
@@ -51,6 +52,7 @@ impl CommandResult for Modelled<'_> {
         let swallowed = |light| format!("lights[{light}] is inside a capture region and has no effect");
         add(scene.swallowed_lights().into_iter().map(swallowed).collect());
         add(self.light_grids().map(|grid| grid.words()).collect());
+        add(Catalog::all(scene).iter().map(Catalog::words).collect());
         add(random_words(scene));
         if scene.rays.auto.is_some() {
             add(vec!["method auto: chosen when the scene is rendered; this output assumes rk4".to_owned()]);
@@ -77,6 +79,7 @@ impl CommandResult for Modelled<'_> {
             "bytes_per_pixel": self.memory.bytes_per_pixel(),
             "bytes_per_pixel_of": self.memory.items.iter().map(|(name, n)| (name.clone(), json!(n))).collect::<Value>(),
             "light_grids": self.light_grids().map(|grid| grid.json()).collect::<Vec<_>>(),
+            "stars": Catalog::all(scene).iter().map(Catalog::json).collect::<Vec<_>>(),
             "captured_lights": scene.swallowed_lights(),
             "frames": scene.animation.as_ref().map(|animation| animation.frames),
             "frames_checked": self.frames_checked,
