@@ -129,6 +129,20 @@ fn one_sample_is_nearer_to_many() {
     assert!(filtered < plain, "{filtered} {plain}");
 }
 
+/// In an adaptive image the corners of pixels, which decide about more samples, are filtered too.
+#[test]
+fn adaptive_images_are_filtered() {
+    let many = shown(&lens(400, false));
+    let [plain, filtered] = [false, true].map(|footprints| {
+        let mut scene = lens(64, footprints);
+        scene.image.adaptive = Some(0.02);
+        let found = Renderer::new(&gpu(), &scene, RenderSettings::default()).unwrap().render().unwrap();
+        assert!(of(&scene, Schedule::Fused, 800) == found.band);
+        (distance(&found.band, &many), found.totals.adaptive.unwrap().mean())
+    });
+    assert!(filtered.0 < 0.6 * plain.0 && filtered.1 < plain.1, "{filtered:?} {plain:?}");
+}
+
 #[test]
 fn schedules_and_tiles_do_not_show() {
     let mut sky = lens(1, true);

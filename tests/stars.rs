@@ -232,6 +232,18 @@ fn adaptive_images_show_stars() {
     for (schedule, pixels) in [(Schedule::Whole, 500), (Schedule::Segment, u64::MAX), (Schedule::Fused, 500)] {
         assert!(rendered(&stars, schedule, pixels).band == found.band, "{schedule:?}");
     }
+    // The grid of stars also measures the footprints of a picture between them.
+    let mut filtered = stars.clone();
+    filtered.image.footprints = true;
+    let again = rendered(&filtered, Schedule::Whole, u64::MAX);
+    assert_eq!(again.totals.stars, found.totals.stars);
+    assert!(rendered(&filtered, Schedule::Fused, 500).band == again.band);
+    filtered.stars = [None, None];
+    let sky = rendered(&filtered, Schedule::Whole, u64::MAX);
+    let all = again.band.color.iter().flatten().zip(sky.band.color.iter().flatten()).zip(dark.color.iter().flatten());
+    for ((found, sky), star) in all {
+        assert!((found - sky - star).abs() <= 1e-6 * found, "{found} {sky} {star}");
+    }
 }
 
 /// Through glass, a star has an image for each path, and a mirror shows it again.

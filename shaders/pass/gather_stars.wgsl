@@ -6,10 +6,6 @@ fn gather_stars(own: Invocation) {
     if spot.valid && inside_margin(spot.pixel) {
         let place = place_in_tile(spot.pixel);
         let light = starlight(spot.pixel);
-        if ADAPTS {
-            // After all samples of the image.
-            moments[place].color += light;
-        }
         if FIRST_IS_GRID {
             pixel_color[place] += select(light, vec3f(0.0), is_apart(spot.pixel));
         }

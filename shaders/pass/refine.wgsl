@@ -44,7 +44,7 @@ fn from_corners(pixel: vec2u) -> Moments {
         alike = alike && load_corner(corner) == end;
     }
     if alike && all(high - low <= vec4f(refinement.tolerance)) {
-        return Moments(0.25 * sum.xyz, 0.25 * sum.w, vec3f(0.0), 1u);
+        return Moments(0.25 * sum.xyz + own_starlight(pixel), 0.25 * sum.w, vec3f(0.0), 1u);
     }
     return Moments(vec3f(0.0), 0.0, vec3f(0.0), 1u | OPEN);
 }
@@ -67,17 +67,25 @@ fn shown_error(m: Moments, n: f32) -> f32 {
     return max(max(apart.x, apart.y), max(apart.z, sqrt(max(covered * (1.0 - covered), 0.0) / n)));
 }
 
-fn closed(m: Moments, n: f32, flag: u32) -> Moments {
-    return Moments(m.color / n, m.alpha / n, m.squares, (m.state & RAYS) | flag);
+// Returns the light of stars, which has no error to estimate.
+fn own_starlight(pixel: vec2u) -> vec3f {
+    if ADDS_STARLIGHT {
+        return pixel_starlight[place_in_tile(pixel)];
+    }
+    return vec3f(0.0);
+}
+
+fn closed(m: Moments, pixel: vec2u, n: f32, flag: u32) -> Moments {
+    return Moments(m.color / n + own_starlight(pixel), m.alpha / n, m.squares, (m.state & RAYS) | flag);
 }
 
 // Decides after the last sample of a doubling.
-fn judged(m: Moments, n: u32) -> Moments {
+fn judged(m: Moments, pixel: vec2u, n: u32) -> Moments {
     if shown_error(m, f32(n)) < refinement.tolerance {
-        return closed(m, f32(n), 0u);
+        return closed(m, pixel, f32(n), 0u);
     }
     if n >= refinement.most {
-        return closed(m, f32(n), CAPPED);
+        return closed(m, pixel, f32(n), CAPPED);
     }
     return m;
 }
@@ -104,7 +112,7 @@ fn refine(own: Invocation) {
         } else {
             m = with_sample(moments[i], spot.pixel, f32(n));
             if judges {
-                m = judged(m, n);
+                m = judged(m, spot.pixel, n);
             }
         }
         moments[i] = m;

@@ -60,8 +60,10 @@ fn shade_ray(pixel: vec2u, ray: Ray, end: Hit) {
     }
     var color = light;
     if ADDS_STARLIGHT {
-        // Once for each sample of the pixel.
-        color += select(vec3f(0.0), pixel_starlight[place_in_tile(pixel)], !is_grid(pixel) & (frame.branch == 0u));
+        // Once for each sample of the pixel; in an adaptive image, once to their mean.
+        if !ADAPTS {
+            color += select(vec3f(0.0), pixel_starlight[place_in_tile(pixel)], !is_grid(pixel) & (frame.branch == 0u));
+        }
     }
     add_color(pixel, color);
     if KEEPS_ORDERS {

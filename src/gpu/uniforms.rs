@@ -8,6 +8,7 @@ use crate::model::Value::{self, Uint};
 use crate::model::law::Observer;
 use crate::model::volume::Flow;
 use crate::model::{Binding, Radiation, Row, matter, row, volume};
+use crate::program::constant;
 use crate::scene::{Scene, Segment, Sky, Splitting, TransparentShadows};
 
 /// The longest angle, in radians, over which orbits are interpolated with this error; it falls with the sixth power of the angle.
@@ -19,6 +20,8 @@ impl Uploads<'_> {
     pub(super) fn uniforms(&self) -> Vec<Binding> {
         let Scene { image, output, rays, sky, sky_other_side: beyond, .. } = self.scene;
         let side = f64::from(image.samples).sqrt();
+        // A pixel of an adaptive image may be done after its first samples.
+        let first = image.adaptive.map(|_| constant("pass/refine", "FIRST_SAMPLES").sqrt());
         let columns = side.ceil() as u32;
         let paths = rays.path_tracing.unwrap_or_default();
         let depth = paths.max_depth.unwrap_or(u32::MAX);
@@ -35,7 +38,7 @@ impl Uploads<'_> {
                 row! { center: Vec3(rays.bounding_sphere.center), radius: Float(rays.bounding_sphere.radius) },
             ),
             one("sampling", row! { grid: Uint2([columns, image.samples.div_ceil(columns)]) }),
-            one("sample_share", row! { side: Float(side.recip()) }),
+            one("sample_share", row! { side: Float(first.unwrap_or(side).recip()) }),
             one("refinement", refinement),
             one("transport", row! { depth: Uint(depth), roulette: Uint(paths.rr_depth), seed: Uint(paths.seed) }),
             one("spectrum", row! { wavelength: Float(1e-3 * rays.wavelength) }),

@@ -52,7 +52,8 @@ pub(super) fn picture_parts(scene: &Scene, features: &Features, names: &mut Name
         return Ok(());
     }
     names.when(features.keeps_orders, &["picture/orders_kept"]);
-    names.when(features.has_grid || features.keeps_footprints, &["picture/bundle/grid", "picture/bundle/footprint"]);
+    let bundles = ["picture/bundle/grid", "picture/bundle/footprint", bundle_part(features)];
+    names.when(features.has_grid || features.keeps_footprints, &bundles);
     names.when(features.has_grid, &["picture/bundle/measured", "picture/bundle/layers"]);
     names.when(features.has_stars, &STARS);
     names.when(features.layers.contains(&Layer::Depth), &["picture/path_length"]);
@@ -97,7 +98,7 @@ fn shift_part(features: &Features) -> &'static str {
 }
 
 /// Returns the module with the bundles of light of pixels.
-pub(super) fn bundle_part(features: &Features) -> &'static str {
+fn bundle_part(features: &Features) -> &'static str {
     if features.shades_ends() { "picture/bundle/stored" } else { "picture/bundle/kept" }
 }
 

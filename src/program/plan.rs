@@ -4,7 +4,7 @@
 use super::matter::matter_parts;
 use super::names::Names;
 use super::onward_parts::scatter_parts;
-use super::picture_parts::{bundle_part, camera_parts, material_parts, picture_parts, samples_part};
+use super::picture_parts::{camera_parts, material_parts, picture_parts, samples_part};
 use super::region_parts::region_parts;
 use super::regions::RegionKind;
 use super::structure::solids;
@@ -124,7 +124,6 @@ fn schedule_parts(features: &Features, names: &mut Names) {
         "state/round",
         samples_part(features),
     ]);
-    names.when(!features.adapts, &[bundle_part(features)]);
     names.all(match features.masks {
         _ if features.mode.leaves_light() => &["segment/run_active", "segment/leave_light"],
         RaySkipping::Off => &["segment/run_all"],

@@ -7,7 +7,7 @@
 //!
 //! *Practice.* The decision about a pixel depends only on its samples and corners, so that tile borders are invisible; a tile has one extra
 //! column and row of corners. Pixels that need more samples are listed on the device; the host reads their number after each doubling. The
-//! memory is 36 bytes per pixel, and 8 for the lists. Stars have no error to estimate, and are added at the end.
+//! memory is 36 bytes per pixel, and 8 for the lists. Stars have no error to estimate, and are added to the mean.
 
 use super::clock::Clock;
 use super::noise::LUMINANCE;
@@ -54,6 +54,9 @@ impl Renderer<'_> {
             let [taken, open] = [taken, open].map(|rays| rays as f64);
             progress((taken + open * done) / (taken + open * f64::from(image.samples + 1 - sample)));
         };
+        if self.prepared.program.features.has_grid {
+            self.prepared.run_sample(tile, at(0, Refines::FIRST).grid(), clock, &|_| {})?;
+        }
         self.prepared.run_sample(tile, at(0, Refines::FIRST), clock, &|done| tell(0, pixels, 0, done))?;
         sums.samples += pixels;
         let mut taken = pixels;
@@ -71,9 +74,6 @@ impl Renderer<'_> {
                 open = self.read_refined(tile, sums)?;
                 list += 1;
             }
-        }
-        if self.prepared.program.features.has_grid {
-            self.prepared.run_sample(tile, at(0, Refines::FIRST).grid(), clock, &|_| {})?;
         }
         Ok(())
     }

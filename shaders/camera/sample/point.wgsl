@@ -11,6 +11,14 @@ struct SampleShare {
 
 var<uniform> sample_share: SampleShare;
 
+// Returns the side of the share of the pixel's sample. The corners of an adaptive image represent whole pixels.
+fn share_side(pixel: vec2u) -> f32 {
+    if ADAPTS {
+        return select(sample_share.side, 1.0, sample_of(pixel) == 0u);
+    }
+    return sample_share.side;
+}
+
 // Returns `true` if the ray of the pixel belongs to the grid.
 fn is_grid(pixel: vec2u) -> bool {
     if SAMPLE_IS_GRID {

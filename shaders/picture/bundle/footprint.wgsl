@@ -33,7 +33,8 @@ fn note_bundle(pixel: vec2u) {
 fn fit_footprint(end: u32) {
     footprint = array<vec3f, 2>();
     if own_bundle.end == end {
-        footprint = array<vec3f, 2>(sample_share.side * own_bundle.across, sample_share.side * own_bundle.down);
+        let side = share_side(pixel_seen);
+        footprint = array<vec3f, 2>(side * own_bundle.across, side * own_bundle.down);
     }
 }
 

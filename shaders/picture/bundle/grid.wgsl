@@ -34,6 +34,11 @@ fn inside_margin(pixel: vec2u) -> bool {
     return all(pixel >= vec2u(margin)) & all(pixel + margin < frame.size);
 }
 
+// Returns `true` if the grid has all neighbors of a pixel.
+fn inside_grid(pixel: vec2u) -> bool {
+    return all(pixel >= vec2u(1u)) & all(pixel + 1u < frame.size);
+}
+
 // Returns the index of the sky that a ray has reached.
 fn side_reached() -> u32 {
     if HAS_TWO_SKIES {

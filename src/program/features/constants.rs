@@ -38,7 +38,7 @@ impl Features {
             ("filters_images", self.keeps_footprints && self.has_images),
             ("keeps_bundles", self.keeps_bundles()),
             ("reads_bundles", self.keeps_footprints && !self.sample_is_grid),
-            ("adds_starlight", self.has_stars && !self.sample_is_grid && !self.adapts),
+            ("adds_starlight", self.has_stars && !self.sample_is_grid),
             ("keeps_sky_light", self.has_stars || self.defers_sky),
             ("describes_bundles", self.describes_bundles()),
             ("keeps_magnification", self.layers.contains(&Layer::Magnification)),

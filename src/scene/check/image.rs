@@ -30,11 +30,8 @@ pub fn read(root: &TableReader, by_paths: bool) -> Image {
     image.samples = samples.unwrap_or(image.samples);
     image.sampler = pattern.unwrap_or(image.sampler);
     image.footprints = table.or("footprints", false, boolean);
-    if let Some(with) = [("image.adaptive", image.adaptive.is_some()), ("lighting = \"path-tracing\"", by_paths)]
-        .into_iter()
-        .find_map(|(with, is_there)| (is_there && image.footprints).then_some(with))
-    {
-        let problem = format!("`footprints` cannot be combined with {with}");
+    if by_paths && image.footprints {
+        let problem = "`footprints` cannot be combined with lighting = \"path-tracing\"".to_owned();
         table.fault(&["footprints"], problem, "remove one of the two");
     }
     table.finish();
