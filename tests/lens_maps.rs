@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use bentray::program::{Layer, PathEnds, ProgramOptions, Schedule};
 use bentray::render::{Band, LensMap, RenderSettings, Renderer, Window};
-use bentray::scene::Scene;
+use bentray::scene::{Image, Scene};
 
 use crate::support::{gpu, scene};
 
@@ -46,6 +46,7 @@ fn scenes() -> Vec<(&'static str, [Scene; 2])> {
     };
     let stars = "[sky]\nimage = \"data/stars.png\"";
     let grid = "[output]\nexposure = 2\n[sky]\nimage = \"data/graticule.png\"";
+    let hole = "[camera]\nposition = [0, 2, 18]\n[law]\nkind = \"schwarzschild\"";
     let disk = "[camera]\nposition = [18, 3, 4]\nobserver = \"static\"\nredshift = true\n[law]\nkind = \"kerr-newman\"\nspin = 0.9\n\
                 axis = [0, 1, 0]\n[[objects]]\nshape = \"disk\"\nmaterial = \"m\"\nradius = 20\ninner_radius = 3\n[materials.m]\n\
                 kind = \"accretion\"\nopacity = 0.4";
@@ -64,19 +65,25 @@ fn scenes() -> Vec<(&'static str, [Scene; 2])> {
     let wave = "[camera]\nposition = [0, 0, 12]\nobserver = \"static\"\nredshift = true\n[law]\nkind = \"metric\"\n\
                 scale = \"1\"\nline_element = \"-dt^2 + (1 + 0.1*sin(t - z))*dx^2 + (1 - 0.1*sin(t - z))*dy^2 + dz^2\"";
     vec![
-        ("sky", of("[camera]\nposition = [0, 2, 18]\n[law]\nkind = \"schwarzschild\"", [stars, grid])),
+        ("sky", of(hole, [stars, grid])),
         ("disk", of(&format!("{disk}\ntemperature = 7000"), [stars, grid])),
         ("glass", of(glass, [&format!("{floor}\n{stars}"), &format!("{other_floor}\n{grid}")])),
         ("wormhole", of(throat, [&twin("stars", "graticule"), &twin("graticule", "stars")])),
         ("wave", of(wave, [stars, grid])),
+        ("footprints", of(hole, [stars, grid]).map(filtered)),
+        ("filtered disk", of(&format!("{disk}\ntemperature = 7000"), [stars, grid]).map(filtered)),
     ]
+}
+
+fn filtered(scene: Scene) -> Scene {
+    Scene { image: Image { footprints: true, ..scene.image.clone() }, ..scene }
 }
 
 #[test]
 fn images_from_maps_have_the_bits_of_new_ones() {
     for (name, [traced, other]) in scenes() {
         let map = Arc::new(mapped(&traced, Schedule::Whole, u64::MAX));
-        assert!(name == "sky" || name == "wave" || map.rounds.len() >= 3, "{name}: {}", map.rounds.len());
+        assert!(["sky", "wave", "footprints"].contains(&name) || map.rounds.len() >= 3, "{name}: {}", map.rounds.len());
         for scene in [&traced, &other] {
             let expected = rendered(scene);
             assert!(shaded(scene, &map, u64::MAX, None) == expected, "{name}");

@@ -47,9 +47,10 @@ fn sample_point(pixel: vec2u) -> vec2f {
         }
         return nth_point(pixel, frame.sample - 1u);
     }
-    if FIRST_IS_GRID {
+    if CENTERS_FIRST {
         // The pattern continues on the opposite side of the pixel.
-        return vec2f(vec2i(pixel)) + fract(nth_point(pixel, frame.sample) - nth_point(pixel, 0u) + 0.5);
+        let shifted = vec2f(vec2i(pixel)) + fract(nth_point(pixel, frame.sample) - nth_point(pixel, 0u) + 0.5);
+        return select(shifted, center_of(pixel), sample_of(pixel) == 0u);
     }
     return nth_point(pixel, frame.sample);
 }

@@ -18,7 +18,7 @@ impl Features {
             follows_paths in_pieces aims emits_from_boxes clamps draws_wavelength falls grids_fall grids_all_fall
             is_occluded occludes_along_law looks_from_surfaces follows_lines all_cast shuts_out weakens_lines
             is_limited compensates_tau keeps_taken keeps_w keeps_last_hit has_leaps suspends items_in_order has_chords writes_chords_out ends_with_steps rejects keeps_errors captures_by_formula has_structure is_glossy captures is_extreme is_asymptotic is_plane is_about_center keeps_last carries_time by_length turns_with_camera travels has_throat joins_whole
-            has_two_skies has_stars has_grid sample_is_grid first_is_grid defers_sky sees_through has_vertex_colors is_transparent enumerates adapts is_filmic keeps_footprints
+            has_two_skies has_stars has_grid sample_is_grid first_is_grid centers_first defers_sky sees_through has_vertex_colors is_transparent enumerates adapts is_filmic keeps_footprints
             beams shifts_hues knows_shift follows_shift keeps_orders keeps_crossings
         );
         let volumes = named!(self.volumes;

@@ -12,7 +12,9 @@ pub(super) struct GridFeatures {
     pub exists: bool,
     /// The sky has stars.
     pub has_stars: bool,
-    /// The first sample of each pixel is the ray of the grid.
+    /// The first sample of each pixel is at its center.
+    pub centers_first: bool,
+    /// That sample is the ray of the grid.
     pub is_sample: bool,
     /// The footprints of pixels are computed; a map of path ends is for images of other scenes, too.
     pub keeps_footprints: bool,
@@ -21,21 +23,29 @@ pub(super) struct GridFeatures {
 impl GridFeatures {
     pub(super) fn of(scene: &Scene, ProgramOptions { mode, layers, ends, .. }: &ProgramOptions) -> Self {
         if *mode != Mode::Picture {
-            return Self { exists: false, has_stars: false, is_sample: false, keeps_footprints: false };
+            return Self {
+                exists: false,
+                has_stars: false,
+                centers_first: false,
+                is_sample: false,
+                keeps_footprints: false,
+            };
         }
-        let keeps_footprints = scene.has_footprints() || *ends == PathEnds::Stored;
+        let filters = scene.has_footprints();
+        let keeps_footprints = filters || *ends == PathEnds::Stored;
         let has_stars = *ends == PathEnds::Followed && scene.has_stars();
         let describes = |layer: &Layer| layer.is_of_bundles() && layer.refused_by(scene).is_none();
-        let is_needed = has_stars || keeps_footprints || layers.iter().any(describes);
+        let is_needed = |footprints: bool| has_stars || footprints || layers.iter().any(describes);
         // The light of the sky is added after all rays have ended if nothing else is filtered, and if light is not divided by frequency or
         // order.
         let can_wait = !scene.filters_surfaces() && scene.radiation.is_none() && !layers.contains(&Layer::ImageOrder);
-        // The first rays of an adaptive image are those through the corners of its pixels.
-        let can_sample = *ends == PathEnds::Followed && scene.image.adaptive.is_none();
+        // The first rays of an adaptive image are those through the corners of its pixels. A map has the samples of its own scene.
+        let centers_first = is_needed(filters) && scene.image.adaptive.is_none() && (!filters || can_wait);
         Self {
-            exists: is_needed && *ends != PathEnds::Given,
+            exists: is_needed(keeps_footprints) && *ends != PathEnds::Given,
             has_stars,
-            is_sample: is_needed && can_sample && (!keeps_footprints || can_wait),
+            centers_first,
+            is_sample: centers_first && *ends == PathEnds::Followed,
             keeps_footprints,
         }
     }

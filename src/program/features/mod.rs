@@ -146,7 +146,9 @@ pub struct Features {
     pub has_grid: bool,
     /// The only sample of each pixel is the ray of the grid.
     pub sample_is_grid: bool,
-    /// The first sample of each pixel is the ray of the grid.
+    /// The first sample of each pixel is at its center.
+    pub centers_first: bool,
+    /// That sample is the ray of the grid.
     pub first_is_grid: bool,
     /// The light of the sky is added after the bundles are measured.
     pub defers_sky: bool,
@@ -298,6 +300,7 @@ impl Features {
             has_stars: grid.has_stars,
             has_grid: grid.exists,
             sample_is_grid: grid.is_sample && scene.image.samples == 1,
+            centers_first: grid.centers_first,
             first_is_grid: grid.is_sample,
             defers_sky: grid.is_sample && grid.keeps_footprints,
             sees_through: is_picture && scene.sky == Sky::Transparent,
