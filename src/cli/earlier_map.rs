@@ -42,6 +42,12 @@ impl EarlierMap {
         if let Some(problem) = scene.refuses_map() {
             return Err(usage!("--from {}: {problem}", self.path.display()));
         }
+        if scene.has_stars() {
+            let path = self.path.display();
+            return Err(usage!(
+                "--from {path}: a lens map cannot show `sky.stars`, which are between its rays; remove them with --set sky.stars="
+            ));
+        }
         let values = values(film, scene)?;
         let is_compared = |(key, _): &&(String, String)| values.iter().any(|(own, _)| own == key);
         let had: Vec<(String, String)> = self.metadata.iter().filter(is_compared).cloned().collect();
@@ -70,8 +76,10 @@ impl EarlierMap {
 const PICTURES: [&str; 6] = ["png", "jpg", "jpeg", "exr", "hdr", "gif"];
 
 /// Returns `true` if a difference changes only how the ends of paths look.
-fn may_differ(Difference { key, .. }: &Difference, scene: &Scene) -> bool {
+fn may_differ(Difference { key, values }: &Difference, scene: &Scene) -> bool {
     match key.strip_prefix("file ") {
+        // The key that names a file differs too.
+        Some(_) if values.iter().any(Option::is_none) => true,
         Some(file) => PICTURES.iter().any(|extension| has_extension(Path::new(file), extension)),
         None => scene.is_look(key),
     }

@@ -26,7 +26,6 @@ impl Scene {
         [
             (self.rays.path_tracing.is_some(), "a lens map cannot be combined with lighting = \"path-tracing\""),
             (self.image.adaptive.is_some(), "a lens map cannot be combined with image.adaptive"),
-            (self.has_stars(), "a lens map cannot be combined with `sky.stars`, which are between its rays"),
             (self.rays.precision == Precision::Double, "a lens map has 32 bits; set rays.precision = \"f32\""),
             (
                 self.absorptions().any(|filter| filter.emission != DVec3::ZERO),

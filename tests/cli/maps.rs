@@ -39,3 +39,15 @@ fn changes_that_need_other_rays_are_refused() {
         .run("map scene.toml -o lens.exr --set rays.lighting=path-tracing")
         .fails(1, &["a lens map cannot be combined with lighting"]);
 }
+
+/// Stars are between the rays of a map: its other light is shown without them.
+#[test]
+fn maps_of_scenes_with_stars_show_the_rest() {
+    let folder = Folder::with(&BALL.replace("[sky]", "[sky]\nstars = \"stars.csv\""));
+    folder.write("stars.csv", "ra,dec,mag\n0,0,-4\n");
+    folder.run("map scene.toml -o lens.exr").succeeds();
+    folder.run("render scene.toml -o a.png --from lens.exr").fails(1, &["cannot show `sky.stars`", "--set sky.stars="]);
+    folder.run("render scene.toml -o from.png --from lens.exr --set sky.stars=").succeeds();
+    folder.run("render scene.toml -o new.png --set sky.stars=").succeeds();
+    assert!(folder.read("from.png") == folder.read("new.png"));
+}
