@@ -66,6 +66,9 @@ impl fmt::Display for StarImages {
         if self.limited > 0 {
             write!(f, ", {} as bright as their size allows", self.limited)?;
         }
+        if self.averaged > 0 {
+            write!(f, ", {} squares between pixels show the mean of many", self.averaged)?;
+        }
         Ok(())
     }
 }
