@@ -3,7 +3,7 @@
 use std::fmt;
 use std::path::Path;
 
-use super::star_table::{ENOUGH, Star, StarTable};
+use super::star_table::{Star, StarTable};
 use crate::document::{Diagnostic, SceneError, read_text};
 
 /// The stars of a file, in its order.
@@ -47,11 +47,7 @@ impl Catalog {
     ///
     /// Returns [`SceneError::Diagnostics`] if a column is missing or a value is invalid.
     pub fn parse(text: &str, path: &Path) -> Result<Self, SceneError> {
-        let read = StarTable::new(text, path)?.read();
-        let mistakes: Vec<_> = read.iter().flat_map(|rows| rows.mistakes.iter().cloned()).take(ENOUGH).collect();
-        if !mistakes.is_empty() {
-            return Err(SceneError::Diagnostics(mistakes));
-        }
+        let read = StarTable::new(text, path)?.read()?;
         let stars: Vec<&[Star]> = read.iter().map(|rows| &*rows.stars).collect();
         let stars = stars.concat();
         if stars.len() > MOST {

@@ -57,7 +57,7 @@ const NAMES: [(&str, Column); 17] = [
 ];
 
 /// The number of errors after which a file is not read further.
-pub(super) const ENOUGH: usize = 10;
+const ENOUGH: usize = 10;
 /// The size of a part of a file that one thread reads, in bytes.
 const PART: usize = 1 << 21;
 /// The color index of a star whose color is unknown: that of the sun.
@@ -69,7 +69,14 @@ pub(super) struct Rows {
     /// `true` if every right ascension in degrees is at most 24.
     pub(super) may_be_hours: bool,
     /// The first mistakes.
-    pub(super) mistakes: Vec<Diagnostic>,
+    mistakes: Vec<Mistake>,
+}
+
+/// A mistake in a range of bytes. Its line is counted only if it is shown.
+struct Mistake {
+    place: Range<usize>,
+    problem: String,
+    help: String,
 }
 
 /// The values of a row by their [`Column`]; NaN if missing.
@@ -149,15 +156,23 @@ impl<'t> StarTable<'t> {
         let separator = ['\t', ';', ','].into_iter().find(|&mark| head.contains(mark)).unwrap_or(',');
         let mut table = Self { text, path, separator, columns: Vec::new(), body: 0 };
         let mut reader = table.reader(text, true);
-        let head = reader.byte_headers().map_err(|error| SceneError::Diagnostics(vec![table.unreadable(0, &error)]))?;
-        table.columns = table.columns(head)?;
+        let shown = |mistake: Mistake| SceneError::Diagnostics(vec![table.located(&mistake)]);
+        let head = reader.byte_headers().map_err(|error| shown(table.unreadable(0, &error)))?;
+        table.columns = table.columns(head).map_err(shown)?;
         table.body = reader.position().byte() as usize;
         Ok(table)
     }
 
     /// Reads the rows, in parallel. The parts do not depend on the number of threads.
-    pub(super) fn read(&self) -> Vec<Rows> {
-        self.parts().into_par_iter().map(|part| self.rows(part)).collect()
+    pub(super) fn read(&self) -> Result<Vec<Rows>, SceneError> {
+        let read: Vec<Rows> = self.parts().into_par_iter().map(|part| self.rows(part)).collect();
+        let mistakes = read.iter().flat_map(|rows| &rows.mistakes).take(ENOUGH);
+        let mistakes: Vec<Diagnostic> = mistakes.map(|mistake| self.located(mistake)).collect();
+        if mistakes.is_empty() { Ok(read) } else { Err(SceneError::Diagnostics(mistakes)) }
+    }
+
+    fn located(&self, Mistake { place, problem, help }: &Mistake) -> Diagnostic {
+        Diagnostic::locate(self.path.to_owned(), self.text, place.start, place.end, problem.clone(), help.clone())
     }
 
     fn reader<'p>(&self, part: &'p str, has_headers: bool) -> Reader<&'p [u8]> {
@@ -203,14 +218,14 @@ impl<'t> StarTable<'t> {
                     rows.may_be_hours &= values.ascension() <= 24.0;
                     rows.stars.push(Star::of(&values, has_colors));
                 }
-                Err(mistake) => rows.mistakes.push(*mistake),
+                Err(mistake) => rows.mistakes.push(mistake),
             }
         }
         rows
     }
 
     /// Returns the columns of a header.
-    fn columns(&self, head: &ByteRecord) -> Result<Vec<(Column, usize)>, SceneError> {
+    fn columns(&self, head: &ByteRecord) -> Result<Vec<(Column, usize)>, Mistake> {
         let kind = |name: &[u8]| {
             let name = String::from_utf8_lossy(name).trim().to_lowercase();
             NAMES.iter().find(|(own, _)| *own == name).map(|(_, column)| *column)
@@ -232,13 +247,13 @@ impl<'t> StarTable<'t> {
             let found = if all.is_empty() { "an empty file".to_owned() } else { all.join(", ") };
             let problem = format!("no column `{name}`, found {found}");
             let help = format!("name a column {name}, or one of {}", others.join(", "));
-            return Err(SceneError::Diagnostics(vec![self.mistake(0, 0, problem, &help)]));
+            return Err(self.mistake(0, 0, problem, help));
         }
         Ok(found)
     }
 
     /// Returns the values of a record that starts at or after a byte of the text.
-    fn values(&self, record: &ByteRecord, start: usize) -> Result<Values, Box<Diagnostic>> {
+    fn values(&self, record: &ByteRecord, start: usize) -> Result<Values, Mistake> {
         let mut values = Values([f64::NAN; 6]);
         for &(column, at) in &self.columns {
             let text = record.get(at).and_then(|field| std::str::from_utf8(field).ok()).unwrap_or_default().trim();
@@ -247,14 +262,14 @@ impl<'t> StarTable<'t> {
             }
             let (range, what) = column.range();
             let value = text.parse().ok().filter(|value| range.contains(value));
-            let mistake = || Box::new(self.mistake(start, at, format!("expected {what}, found `{text}`"), ""));
+            let mistake = || self.mistake(start, at, format!("expected {what}, found `{text}`"), String::new());
             values.0[column as usize] = value.ok_or_else(mistake)?;
         }
         Ok(values)
     }
 
-    /// Returns an error at the field `at` of the record that starts at or after a byte of the text.
-    fn mistake(&self, start: usize, at: usize, problem: String, help: &str) -> Diagnostic {
+    /// Returns a mistake at the field `at` of the record that starts at or after a byte of the text.
+    fn mistake(&self, start: usize, at: usize, problem: String, help: String) -> Mistake {
         let is_skipped = |line: &str| line.trim().is_empty() || line.starts_with('#');
         let lines = self.text[start..].split_inclusive('\n');
         let skipped: usize = lines.take_while(|line| is_skipped(line)).map(str::len).sum();
@@ -269,14 +284,15 @@ impl<'t> StarTable<'t> {
         let row = self.text[start + skipped..].split(outside('\n')).next().unwrap_or_default();
         let field = row.split(outside(self.separator)).nth(at).unwrap_or(row);
         let field = if field.trim().is_empty() { field } else { field.trim() };
-        Diagnostic::of(self.path, self.text, field, problem, help.to_owned())
+        // A slice's offset is the distance between the two addresses.
+        let start = field.as_ptr() as usize - self.text.as_ptr() as usize;
+        Mistake { place: start..start + field.len(), problem, help }
     }
 
-    /// Returns an error about a part of the file, from a byte on, that is not a table.
-    fn unreadable(&self, start: usize, error: &csv::Error) -> Diagnostic {
+    /// Returns a mistake in a part of the file, from a byte on, that is not a table.
+    fn unreadable(&self, start: usize, error: &csv::Error) -> Mistake {
         let start = start + error.position().map_or(0, |place| place.byte() as usize);
-        let (end, problem) = (self.text.len().min(start + 1), format!("not a table: {error}"));
-        let help = "separate columns by commas".to_owned();
-        Diagnostic::locate(self.path.to_owned(), self.text, start, end, problem, help)
+        let place = start..self.text.len().min(start + 1);
+        Mistake { place, problem: format!("not a table: {error}"), help: "separate columns by commas".to_owned() }
     }
 }
